@@ -7,7 +7,7 @@ PYTEST := $(BIN)/python -m pytest
 SPREAD := -n logical --dist loadfile
 
 .DEFAULT_GOAL := help
-.PHONY: help venv runtime dev demo view test test-browser test-slow test-uncompiled lint locks format bench work-precision docs dist report page page-check clean distclean
+.PHONY: help venv runtime dev demo view test test-all test-browser test-slow test-uncompiled lint locks format bench work-precision docs dist report page page-check clean distclean
 
 help:  ## list the targets
 	@grep -hE '^[a-z-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | \
@@ -59,6 +59,9 @@ view: runtime  ## set up, show the three-anchor rope live in the browser
 
 test: lint  ## set up, check the style, types and imports, run the tests (not slow or browser ones)
 	$(PYTEST) $(SPREAD) -m "not slow and not browser"
+
+test-all: dev  ## run all tests but the browser's
+	$(PYTEST) $(SPREAD) -m "not browser"
 
 test-browser: dev  ## drive the live page and shared pages in a real Chromium
 	$(PYTEST) -m browser tests/browser

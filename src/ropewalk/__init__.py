@@ -139,8 +139,14 @@ if not TYPE_CHECKING:
         return unquoted(getattr(import_module(f"ropewalk.{_HOMES[name]}"), name))
 
 
+#: What commands do that have another name here.
+_COMMANDS = {"settle": "equilibrium", "new": "preset", "info": "open", "ropes": "rope"}
+
+
 def _where(name: str) -> str:
     """Say where a name is that is looked for here; obstacles, shapes and motions are in `scene`."""
+    if name in _COMMANDS:
+        return f"; what the command {name!r} does is ropewalk.{_COMMANDS[name]}"
     scene = None if name.startswith("_") else import_module("ropewalk.scene")
     return f"; it is ropewalk.scene.{name}" if hasattr(scene, name) else ""
 

@@ -122,7 +122,7 @@ def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
         exec(compile(block, str(page), "exec"), names)
 
 
-@pytest.mark.parametrize("name", ["obstacles", "touching", "pile"])
+@pytest.mark.parametrize("name", ["obstacles", "pulleys", "touching", "pile"])
 def test_what_touches_begins_without_a_jerk(name: str) -> None:
     """No segment carries more at the start than all weighs: an end that set off at once gave 552 N for 1 kg.
 

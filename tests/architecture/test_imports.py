@@ -64,6 +64,10 @@ def test_an_unknown_name_is_an_attribute_error() -> None:
 def test_a_name_of_a_scene_that_is_looked_for_here_is_told_where_it_is() -> None:
     import ropewalk
 
+    with pytest.raises(
+        AttributeError, match=r"the command 'settle' does is ropewalk\.equilibrium$"
+    ):
+        ropewalk.settle  # noqa: B018
     with pytest.raises(AttributeError, match=r"it is ropewalk\.scene\.Cylinder$"):
         ropewalk.Cylinder  # noqa: B018 - the access is the test
     with pytest.raises(AttributeError, match=r"'Cylindre'$"):

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from browser.window import SECONDS
+from patience import PATIENCE
 from ropewalk.lessons import lesson_scenes
 from ropewalk.live.lab import METHODS, PRESETS, lab_scene, write_lab
 from ropewalk.scene import Anchor
@@ -90,7 +90,7 @@ def test_the_largest_steps_are_those_of_the_theory(lab: Any) -> None:
 
 def until(page: Any, expression: str) -> None:
     """Wait until an expression of `lab` holds; the page's policy allows no `eval`, so it is asked."""
-    end = time.monotonic() + SECONDS
+    end = time.monotonic() + PATIENCE
     while not page.evaluate(
         f"() => {{ const {{ lab }} = window.ropewalkLab; return {expression}; }}"
     ):

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 
 import ropewalk as rw
-from browser.window import SECONDS
 from live.drive import slack_rope
+from patience import PATIENCE
 
 pytestmark = pytest.mark.browser
 Notebook = Callable[..., Any]
@@ -41,7 +41,7 @@ def notebook(browser: Any) -> Iterator[Notebook]:
     def make(host: str, *outputs: str) -> Any:
         shown[:] = outputs
         page = context.new_page()
-        page.set_default_timeout(SECONDS * 1000.0)
+        page.set_default_timeout(PATIENCE * 1000.0)
         page.goto(f"http://{host}:{server.server_port}/lab", wait_until="commit")
         page.wait_for_selector("iframe")
         return page
@@ -54,7 +54,7 @@ def notebook(browser: Any) -> Iterator[Notebook]:
 
 def _frame(page: Any, address: str) -> Any:
     """Return the frame of an address, once it has come there."""
-    for _ in range(int(SECONDS * 10)):
+    for _ in range(int(PATIENCE * 10)):
         for frame in page.frames[1:]:
             if frame.url.split("#")[0] == address:
                 return frame
@@ -65,7 +65,7 @@ def _frame(page: Any, address: str) -> Any:
 def _until(page: Any, frame: Any, condition: str) -> bool:
     """Wait until an expression of `r`, the hook of the page in a frame, holds."""
     script = f"() => {{ const r = window.ropewalk; return Boolean(r && ({condition})); }}"
-    for _ in range(int(SECONDS * 10)):
+    for _ in range(int(PATIENCE * 10)):
         if frame.evaluate(script):
             return True
         page.wait_for_timeout(100)

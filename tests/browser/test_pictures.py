@@ -18,6 +18,7 @@ from PIL import Image
 
 from browser.window import Window
 from live.drive import slack_rope
+from patience import PATIENCE
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.scene import Ground, Straight
@@ -328,7 +329,7 @@ def _apart(window: Window) -> None:
         assert apart, f"{one} covers {other}: {a}, {b}"
 
 
-def _wait_for_clear_labels(window: Window, seconds: float = 5.0) -> None:
+def _wait_for_clear_labels(window: Window, seconds: float = PATIENCE) -> None:
     """Check that no label is under a card, once the page has seen that one has opened."""
     end = time.monotonic() + seconds
     while covered := [one for one in window.ask(LABELS) if _under_a_card(one, _cards(window))]:

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
+from patience import PATIENCE
+
 FLAGS = [
     "--no-sandbox",
     "--use-angle=swiftshader",
@@ -17,7 +19,6 @@ FLAGS = [
     "--no-first-run",
     "--host-resolver-rules=MAP rebound.test 127.0.0.1",  # as DNS rebinding does
 ]
-SECONDS = 60.0  # at most for anything to happen; machines of CI are slow
 _HARMLESS = ("WebSocket connection to", "GL Driver Message", "net::ERR_")
 
 
@@ -27,7 +28,7 @@ class Window:
     def __init__(self, page: Any) -> None:
         self.page = page
         self.faults: list[str] = []
-        page.set_default_timeout(SECONDS * 1000.0)
+        page.set_default_timeout(PATIENCE * 1000.0)
         page.on("pageerror", lambda error: self.faults.append(str(error)))
         page.on("console", self._heard)
 
@@ -39,10 +40,10 @@ class Window:
         """Evaluate with `r`, the hook."""
         return self.page.evaluate(f"() => {{ const r = window.ropewalk; return {expression}; }}")
 
-    def until(self, expression: str, seconds: float = SECONDS) -> Any:
+    def until(self, expression: str, seconds: float = PATIENCE) -> Any:
         """Wait until an expression of `r` holds; return it. The page allows no `eval`, so it is asked."""
-        # what is not there yet (a frame of a new layout) is not yet true
-        body = f"try {{ return r && ({expression}); }} catch {{ return null; }}"
+        # what is not there yet (a frame of a new layout, its time NaN) is not yet true; here NaN would be
+        body = f"try {{ return (r && ({expression})) || null; }} catch {{ return null; }}"
         script = f"() => {{ const r = window.ropewalk; {body} }}"
         end = time.monotonic() + seconds
         while not (found := self.page.evaluate(script)):

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
+from patience import PATIENCE
 from ropewalk import loads, simulate
 from ropewalk.cli import main
 
@@ -79,7 +80,7 @@ def process(tmp_path: Path) -> Callable[..., subprocess.CompletedProcess[str]]:
                 "PYTHONWARNINGS": "error::ResourceWarning",
                 "PYTHONDONTWRITEBYTECODE": "1",  # a limit on file size would cut it short for good
             },
-            timeout=300,
+            timeout=PATIENCE,
             **options,  # type: ignore[call-overload]
         )
 

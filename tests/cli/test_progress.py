@@ -12,6 +12,7 @@ from io import StringIO
 from pathlib import Path
 from typing import Any
 
+import numba
 import pytest
 from rich.console import Console
 
@@ -53,6 +54,19 @@ def report() -> None:
         shown.show(10, 20, ["10 of 20", "C9 " + 10 * "a very long title of a claim "])
 
 
+def compiled() -> None:
+    """Two functions of which machine code has to be made."""
+
+    def twice(x: int) -> int:
+        return 2 * x
+
+    def thrice(x: int) -> int:
+        return 3 * x
+
+    with progress.RunProgress(preset("r4").replace(name="r")):
+        assert (numba.njit(twice)(2), numba.njit(thrice)(2)) == (4, 6)
+
+
 WORKS = {"run": run, "sweep": sweep, "movie": movie, "report": report}
 FIRST = {
     "run": f"/{20 * preset('r4').run.frame_interval:.4g} s",
@@ -75,6 +89,10 @@ def drawn(monkeypatch: pytest.MonkeyPatch, work: Callable[[], None], width: int)
 def last_line(screen: str) -> str:
     lines = [line for line in re.split(r"[\r\n]", screen) if "━" in line]
     return re.sub(r"\x1b\[[0-9;?]*[A-Za-z]", "", lines[-1])
+
+
+def test_what_is_compiled_is_told_and_how_far(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert re.search(r"compiling thrice, piece 2, \d+ s so far", drawn(monkeypatch, compiled, 120))
 
 
 @pytest.mark.parametrize("width", [60, 80, 100, 120, 200])

@@ -18,6 +18,7 @@ import pytest
 
 from cli.conftest import SCENE
 from cli.test_bad_input import refused, tree
+from patience import PATIENCE
 from ropewalk import Result
 from ropewalk.record.seal import write_sealed
 
@@ -207,7 +208,7 @@ def start(tmp_path: Path, *arguments: str) -> subprocess.Popen[str]:
 
 def wait_for_frames(folder: Path, frames: int) -> None:
     """Wait until a run that goes on has committed some frames."""
-    for _ in range(1200):
+    for _ in range(int(20 * PATIENCE)):
         try:
             if json.loads((folder / "status.json").read_text())["frames"] >= frames:
                 return
@@ -231,7 +232,7 @@ def uninterrupted(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A run of the long scene from beginning to end."""
     folder = tmp_path_factory.mktemp("whole")
     (folder / "scene.toml").write_text(LONG)
-    assert start(folder, "run", "scene.toml", "-o", "a", "-q").wait(timeout=300) == 0
+    assert start(folder, "run", "scene.toml", "-o", "a", "-q").wait(timeout=PATIENCE) == 0
     return folder / "a"
 
 
@@ -248,7 +249,7 @@ def test_a_run_that_is_stopped_is_resumed_to_the_same_bits(
     running = start(tmp_path, "run", "scene.toml", "-o", "a")
     wait_for_frames(tmp_path / "a", 100)
     running.send_signal(sent)
-    _, said = running.communicate(timeout=60)
+    _, said = running.communicate(timeout=PATIENCE)
     assert running.returncode == status
     if sent == signal.SIGINT:
         assert "go on with: ropewalk resume a" in said

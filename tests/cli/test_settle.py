@@ -12,6 +12,7 @@ from cli.conftest import Call
 
 
 def test_settle_prints_what_is_asked_for(ropewalk: Call, scene: Path) -> None:
+    ropewalk("settle", scene)  # that kernels are compiled is told, once
     done = ropewalk("settle", scene)
     assert done.exit_code == 0, done.output
     assert "small: at rest" in done.stdout
@@ -115,3 +116,28 @@ node = 0
     up = sum(force[2] for force in json.loads(done.stdout)["anchors"].values())
     weight = 2 * 0.95 * 0.1 * 9.81
     assert up == pytest.approx(weight, rel=1e-9)
+
+
+def test_clamps_have_their_moments(ropewalk: Call, scene: Path, tmp_path: Path) -> None:
+    """A weightless bar of 2 m that bears 3 N at its end: 6 N m; an anchor without a clamp has none."""
+    file = tmp_path / "bar.toml"
+    file.write_text(
+        """schema_version = 1
+gravity = [0.0, 0.0, 0.0]
+[[rope]]
+segments = 10
+length = 2.0
+made_of = {kind = "material", EA = 1e7, EI = 1e6, mass_per_length = 1.0}
+force = [{node = -1, force = [0.0, 0.0, -3.0]}]
+[[anchor]]
+name = "wall"
+node = 0
+clamp = {direction = [1.0, 0.0, 0.0]}
+"""
+    )
+    done = ropewalk("settle", file)
+    assert "clamp's moment [N m]" in done.stdout
+    assert "largest clamp moment" in done.stdout
+    (found,) = json.loads(ropewalk("settle", file, "--json").stdout)["moments"].values()
+    assert found == pytest.approx([0.0, -6.0, 0.0], rel=1e-5, abs=1e-9)
+    assert "clamp's moment" not in ropewalk("settle", scene).stdout

@@ -17,6 +17,7 @@ import pytest
 
 import ropewalk as rw
 import runs
+from patience import PATIENCE
 from ropewalk.engine.slices import Slices
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
@@ -167,7 +168,7 @@ def test_sigkill_at_random_moments(tmp_path: Path) -> None:
     for _ in range(3):
         with subprocess.Popen([*command, str(folder)], env=environment()) as child:
             before = 0 if not folder.exists() else Result.open(folder).frames
-            deadline = time.monotonic() + 60.0
+            deadline = time.monotonic() + PATIENCE
             while child.poll() is None and time.monotonic() < deadline:
                 if folder.exists() and Result.open(folder).frames > before:
                     break

@@ -13,6 +13,7 @@ from typing import Any
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
+from patience import PATIENCE
 from ropewalk.live.launch import serve_session
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
@@ -41,7 +42,8 @@ class Page:
 
     def __init__(self, server: ViewServer, *, acknowledges: bool = True, **options: Any) -> None:
         url = server.address.replace("http:", "ws:") + "socket"
-        self._manager = connect(url, subprotocols=["ropewalk.1"], **options)
+        waits: dict[str, Any] = {"open_timeout": PATIENCE, "ping_timeout": PATIENCE}
+        self._manager = connect(url, subprotocols=["ropewalk.1"], **(waits | options))
         self.socket: ClientConnection = self._manager.__enter__()
         self.acknowledges = acknowledges
         self.messages: list[dict[str, Any]] = []
@@ -52,7 +54,7 @@ class Page:
         """Send a command."""
         self.socket.send(json.dumps({"type": kind, **keys}))
 
-    def read(self, seconds: float = 5.0) -> None:
+    def read(self, seconds: float = PATIENCE) -> None:
         """Read one message or frame. Raises TimeoutError."""
         message = self.socket.recv(seconds)
         if isinstance(message, bytes):
@@ -72,7 +74,7 @@ class Page:
             while (left := end - time.monotonic()) > 0.0:
                 self.read(left)
 
-    def until(self, ready: Callable[[], Any], seconds: float = 30.0) -> Any:
+    def until(self, ready: Callable[[], Any], seconds: float = PATIENCE) -> Any:
         """Read until something is there; return it."""
         end = time.monotonic() + seconds
         while not (found := ready()):
@@ -107,7 +109,7 @@ class Page:
     def ended(self) -> int | None:
         """Read to the end; return the close code."""
         try:
-            self.listen(30.0)
+            self.listen(PATIENCE)
         except ConnectionClosed as error:
             return error.rcvd.code if error.rcvd is not None else None
         raise AssertionError("the server did not close the socket")

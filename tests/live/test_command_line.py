@@ -16,6 +16,7 @@ from urllib.request import urlopen
 import pytest
 from click.testing import CliRunner
 
+from patience import PATIENCE
 from ropewalk.live.relive import relive
 from ropewalk.scene import Scene
 
@@ -49,7 +50,7 @@ def fails(folder: Path, *words: str) -> str:
         cwd=folder,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=PATIENCE,
         check=False,
     )
     assert done.returncode == 2
@@ -60,12 +61,14 @@ def fails(folder: Path, *words: str) -> str:
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_it_ends_cleanly_with_the_run_kept(tmp_path: Path, number: int) -> None:
     with viewing(tmp_path, "r1", "--port", "0") as (process, address):
-        with urlopen(address, timeout=20) as answer:
+        with urlopen(address, timeout=PATIENCE) as answer:
             assert answer.status == 200
-        with urlopen(address + "export/scene.toml", timeout=60) as answer:  # once there is a run
+        with urlopen(
+            address + "export/scene.toml", timeout=PATIENCE
+        ) as answer:  # once there is a run
             assert answer.status == 200
         process.send_signal(number)
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=PATIENCE)
     assert process.returncode == 0
     assert "Traceback" not in err
     assert out.strip() == "run folder: runs/r1-live-1"
@@ -81,7 +84,7 @@ def test_a_busy_port_is_said(tmp_path: Path) -> None:
         port = busy.getsockname()[1]
         with viewing(tmp_path, "r1", "--no-save", "--port", str(port)) as (process, address):
             process.send_signal(signal.SIGINT)
-            _, err = process.communicate(timeout=60)  # while the simulation is being set up
+            _, err = process.communicate(timeout=PATIENCE)  # while the simulation is being set up
     assert "Traceback" not in err
     assert f"port {port} is busy: taking" in err
     assert f":{port}/" not in address
@@ -91,7 +94,7 @@ def test_a_busy_port_is_said(tmp_path: Path) -> None:
 def test_listening_on_all_addresses_is_warned_of(tmp_path: Path) -> None:
     with viewing(tmp_path, "--no-save", "--port", "0", "--host", "0.0.0.0") as (process, _):
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=60)
+        _, err = process.communicate(timeout=PATIENCE)
     assert "warning: listening on 0.0.0.0" in err
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from live.drive import slack_rope
 from live.pages import Page
+from patience import PATIENCE
 from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.launch import prepare
 from ropewalk.live.serve import ViewServer
@@ -29,15 +30,15 @@ def server() -> Iterator[ViewServer]:
 def test_the_page_comes_first_and_its_socket_when_there_is_something_to_see(
     server: ViewServer,
 ) -> None:
-    with urllib.request.urlopen(server.address, timeout=10) as answer:
+    with urllib.request.urlopen(server.address, timeout=PATIENCE) as answer:
         assert b"<script" in answer.read()
     came: list[Page] = []
-    waiting = threading.Thread(target=lambda: came.append(Page(server, open_timeout=60)))
+    waiting = threading.Thread(target=lambda: came.append(Page(server, open_timeout=PATIENCE)))
     waiting.start()
     waiting.join(0.5)
     assert waiting.is_alive()
     server.show(Broadcast(Session(slack_rope(20)), playing=False), title="late")
-    waiting.join(30.0)
+    waiting.join(PATIENCE)
     with came[0] as page:
         assert page.message("hello")["title"] == "late"
         assert page.message("layout")["variants"][0]["nodes"] == 21
@@ -49,7 +50,7 @@ def test_a_page_is_told_why_nothing_comes(server: ViewServer) -> None:
         assert page.message("bye")["text"] == "There is no rope."
         assert page.ended() == 1001
     with pytest.raises(urllib.error.HTTPError) as refused:
-        urllib.request.urlopen(server.address + "export/scene.toml", timeout=10)
+        urllib.request.urlopen(server.address + "export/scene.toml", timeout=PATIENCE)
     assert refused.value.code == 503
     assert refused.value.read() == b"There is no rope.\n"
 

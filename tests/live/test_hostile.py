@@ -19,6 +19,7 @@ import pytest
 
 from live.drive import r4
 from live.pages import Page, served
+from patience import PATIENCE
 from ropewalk.live import browser, connections, downloads, reading
 from ropewalk.live.guard import Guard
 from ropewalk.live.reading import read_apart
@@ -182,7 +183,7 @@ def test_idle_connections_starve_nobody(
         try:
             ended = [is_ended(one) for one in idle[:-8]]  # the oldest gave way
             assert all(ended)
-            asked = http.client.HTTPConnection("127.0.0.1", server.port, timeout=20)
+            asked = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
             asked.request("GET", f"/{server.token}/")
             assert asked.getresponse().status == 200
             with Page(server) as other:
@@ -242,7 +243,7 @@ def test_downloads_are_made_one_at_a_time(
         with lock:
             now += 1
             most = max(most, now)
-        end = time.monotonic() + 30.0
+        end = time.monotonic() + PATIENCE
         while answers.count(503) < 30 - downloads.MOST and time.monotonic() < end:
             time.sleep(0.01)  # so that all of them have asked before the first is made
         with lock:
@@ -254,7 +255,7 @@ def test_downloads_are_made_one_at_a_time(
     answers: list[int] = []
 
     def get() -> None:
-        asked = http.client.HTTPConnection("127.0.0.1", server.port, timeout=30)
+        asked = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
         asked.request("GET", f"/{server.token}/export/scene.toml")
         answer = asked.getresponse()
         answer.read()
@@ -270,7 +271,7 @@ def test_downloads_are_made_one_at_a_time(
     assert answers.count(503) == 30 - downloads.MOST
     get()
     assert answers[-1] == 200
-    end = time.monotonic() + 20.0
+    end = time.monotonic() + PATIENCE
     while list(tmp_path.glob("ropewalk-*")):  # goes when the server knows that all is sent
         assert time.monotonic() < end
         time.sleep(0.01)

@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from patience import PATIENCE
 from ropewalk.live.serve import ViewServer
 
 BUSY = 0.5  # [s] that the server has no time to look whether it should end
@@ -27,7 +28,7 @@ def test_a_server_whose_wait_was_interrupted_ends_before_its_socket_is_closed(
     threading.Timer(0.2, signal.pthread_kill, [here, signal.SIGINT]).start()
     try:
         with pytest.raises(KeyboardInterrupt):
-            server.wait(10.0)
+            server.wait(PATIENCE)
     finally:
         signal.signal(signal.SIGINT, before)
     assert server.wait(0.0)

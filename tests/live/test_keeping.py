@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,8 @@ from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
+from ropewalk.record.resume import resume_run
+from ropewalk.record.run import record_run
 from ropewalk.scene import loads
 from ropewalk.scene.presets import preset
 
@@ -122,6 +125,50 @@ def test_a_parts_scene_begins_where_the_part_begins(tmp_path: Path) -> None:
     fresh = Session(scene).main.simulation
     assert np.array_equal(fresh.positions, state.x.T)
     assert np.array_equal(fresh.velocities[1:-1], state.v.T[1:-1])
+
+
+def test_a_run_in_place_of_a_session_takes_the_place_of_all_its_parts(tmp_path: Path) -> None:
+    """A replay played the new run, and then the old session's second part."""
+    session = Session(slack_rope(20))
+    keeper = Keeper(session, tmp_path / "run")
+    session.advance(50)
+    do(session, "pin", node=10)
+    session.advance(50)
+    keeper.close()
+    scene = slack_rope(20)
+    scene = scene.replace(run=scene.run.replace(duration=0.1))
+    record_run(scene, tmp_path / "run" / "part-7")  # somebody's own
+    assert len(parts(tmp_path / "run")) == 2
+    record_run(scene, tmp_path / "run", overwrite=True)
+    assert parts(tmp_path / "run") == [tmp_path / "run"]
+    assert Result.open(tmp_path / "run" / "part-7").status == "finished"
+
+
+def test_a_session_is_not_resumed_as_a_run(tmp_path: Path) -> None:
+    session = Session(slack_rope(20))
+    keeper = Keeper(session, tmp_path / "run")
+    session.advance(50)
+    do(session, "pin", node=10)
+    keeper.close()
+    for folder in parts(tmp_path / "run"):
+        with pytest.raises(RunError, match=rf"view {re.escape(str(tmp_path / 'run'))} --continue"):
+            resume_run(folder)
+
+
+def test_a_killed_session_goes_on_at_its_last_frame(tmp_path: Path) -> None:
+    """Not at its last command, which may be long before."""
+    session = Session(slack_rope(20))
+    keeper = Keeper(session, tmp_path / "run")
+    do(session, "kick", node=10, velocity=[0.0, 2.0, 0.0])
+    session.advance(60 * session.frame_steps)
+    keeper.close()
+    log = tmp_path / "run" / "events.jsonl"
+    lines = log.read_text().splitlines(keepends=True)
+    assert '"ended"' in lines[-1]
+    log.write_text("".join(lines[:-1]))  # as SIGKILL leaves it
+    again = relive(tmp_path / "run")
+    assert again.count == session.count
+    assert np.array_equal(again.main.simulation.positions, session.main.simulation.positions)
 
 
 def test_a_session_goes_on_in_its_folder(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from live.drive import do, r4, slack_rope
+from patience import PATIENCE
 from ropewalk.core.status import OK
 from ropewalk.live import breaks, describe, opening, stepper
 from ropewalk.live.broadcast import Broadcast
@@ -20,8 +21,6 @@ from ropewalk.live.relive import relive
 from ropewalk.live.session import Session
 from ropewalk.live.toil import MANY, takes_long
 from ropewalk.scene import RunSettings, Scene
-
-SOON = 30.0  # [s] that a test waits for another thread before it fails
 
 
 class Told:
@@ -75,7 +74,7 @@ def send(broadcast: Broadcast, told: Told, kind: str, client: int = 1, **keys: A
 
 def tick_until(broadcast: Broadcast, ready: Callable[[], Any]) -> None:
     """Tick until something is there."""
-    end = time.monotonic() + SOON
+    end = time.monotonic() + PATIENCE
     while not ready():
         assert time.monotonic() < end, "waited in vain"
         broadcast.tick()
@@ -143,7 +142,7 @@ def test_a_scene_is_opened_while_the_present_one_plays(
     told: Told, gate: threading.Event, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def read(text: str) -> Scene:
-        gate.wait(SOON)
+        gate.wait(PATIENCE)
         return slack_rope(12)
 
     monkeypatch.setattr(opening, "read_apart", read)
@@ -192,7 +191,7 @@ def test_what_a_large_scene_takes_long_for_is_done_beside_the_stage(
     apply = broadcast.session.apply
 
     def slowly(*args: Any) -> str:
-        gate.wait(SOON)
+        gate.wait(PATIENCE)
         return apply(*args)
 
     monkeypatch.setattr(broadcast.session, "apply", slowly)
@@ -214,7 +213,7 @@ def test_a_break_is_told_at_once_and_explained_when_it_is_understood(
     answer = breaks.Question.answer
 
     def slowly(self: breaks.Question) -> dict[str, Any]:
-        gate.wait(SOON)
+        gate.wait(PATIENCE)
         return answer(self)
 
     monkeypatch.setattr(breaks.Question, "answer", slowly)

@@ -13,6 +13,7 @@ import pytest
 import ropewalk as rw
 from live.drive import slack_rope
 from live.pages import HEADER, Page
+from patience import PATIENCE
 from ropewalk.live.view import View
 from ropewalk.record.errors import RunError
 
@@ -27,7 +28,7 @@ def page_of(view: View) -> Page:
 
 
 def fetched(view: View, path: str) -> bytes:
-    with urlopen(f"{view.address}replay/{path}", timeout=30) as answer:
+    with urlopen(f"{view.address}replay/{path}", timeout=PATIENCE) as answer:
         data: bytes = answer.read()
     return data
 

@@ -9,6 +9,7 @@ from unittest import mock
 
 import pytest
 
+from patience import PATIENCE
 from property.test_abreast import ropes_of
 from property.test_abreast_runs import compiled, numbers, told
 from ropewalk.engine import abreast, islands
@@ -104,7 +105,7 @@ def test_ctrl_c_as_threads_begin_leaves_no_rope_on_its_way() -> None:
 
     def start(self: Thread) -> None:
         true(self)
-        assert begun.wait(60.0)
+        assert begun.wait(PATIENCE)
         raise KeyboardInterrupt
 
     def go_slowly(*args: Any) -> Any:
@@ -120,7 +121,7 @@ def test_ctrl_c_as_threads_begin_leaves_no_rope_on_its_way() -> None:
         pytest.raises(KeyboardInterrupt),
     ):
         simulation.advance_frames(3)
-    assert moved.wait(60.0)
+    assert moved.wait(PATIENCE)
     assert numbers(simulation) == stood
     found += [told(simulation.advance_frames(3)), numbers(simulation)]
     assert found == expected
@@ -137,7 +138,7 @@ def test_a_gate_that_closes_waits_for_all_that_runs_and_lets_nothing_begin() -> 
 
     thread = Thread(target=gate.run, args=(work,))
     thread.start()
-    assert on.wait(60.0)
+    assert on.wait(PATIENCE)
     presses = iter((KeyboardInterrupt(), None))
 
     def wait_for(ready: Any) -> bool:

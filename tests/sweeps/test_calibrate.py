@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.lowering import build
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.sweeps.identify import identify
 from ropewalk.sweeps.measurements import offsets
@@ -230,6 +231,12 @@ def test_what_a_sweep_keeps_can_be_fitted() -> None:
     assert fit.values["rope.made_of.mass_per_length"] == pytest.approx(1.3, rel=1e-5)
 
 
+@pytest.mark.parametrize("error", [True, "1 mm", [0.01, 0.02], 0.0, float("nan"), float("inf")])
+def test_an_error_is_one_positive_number(error: Any) -> None:
+    with pytest.raises(InputError, match="must be a positive standard deviation"):
+        rw.calibrate.kept("reactions.max", 7.0, error)
+
+
 def test_a_measurement_of_another_size_is_refused() -> None:
     """Two anchors have two largest reactions; one number cannot stand for both."""
     one = rw.calibrate.kept("reactions.max", 7.0, 0.1)
@@ -264,6 +271,12 @@ def test_a_track_of_any_node_within_the_run() -> None:
         track = rw.calibrate.track([[0.11, 0.0, 0.0]], node=node, axes="xz")
         np.testing.assert_allclose(track.predicted(kept, {}, scene), [0.11, 0.89])
     kept = {"positions_all_last": line, "velocities_all_last": speed}
+    # exact steps of 3 ms make frames of 21 ms, not of 20
+    run = rw.RunSettings(duration=0.4, frame_rate=50.0, time_step=0.003, steps="exact")
+    interval = build(hung(run=run)).plan.frame_interval
+    assert abs(interval - 0.02) > 1e-3
+    exact = rw.calibrate.track([[5.0 * interval, 0.0, 0.0]], axes="xz")
+    np.testing.assert_allclose(exact.predicted(kept, {}, hung(run=run)), [0.1, 0.9])
     late = rw.calibrate.track([[0.1, 0.0, 0.0], [0.41, 0.0, 0.0]], axes="xz")
     with pytest.raises(InputError, match=r"0\.41 .* beyond the last frame, at 0\.4 s"):
         late.predicted(kept, {}, scene)

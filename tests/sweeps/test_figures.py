@@ -83,6 +83,25 @@ def test_a_line_goes_through_what_was_kept() -> None:
     np.testing.assert_array_equal(line.get_ydata(), data.tension_max.sel(EA=[1e3, 3e3]))
     assert figure.axes[0].get_xlabel() == "Axial stiffness (rope.made_of.EA) [N]"
     assert figure.axes[0].get_ylabel() == "largest tension [N]"
+    # The title said "over all steps" of equilibria, which have none; the twin is that of runs.
+    assert data.tension_max.attrs["long_name"] == "largest tension, at rest"
+    ran = rw.sweep(swing(0.02), {EA: [3e3]}, keep="tension.max", on="here", progress=False)
+    assert ran.tension_max.attrs["long_name"] == "largest tension, over all steps"
+
+
+def test_an_axis_has_the_whole_of_what_was_picked() -> None:
+    """It was cut at the comma between two places: "position (positions[-1"."""
+    for what in ("run", "rest"):
+        data = rw.sweep(
+            swing(0.02),
+            {EA: [3e3, 1e3]},
+            keep="positions[-1, -1, z]",
+            what=what,
+            on="here",
+            progress=False,
+        )
+        label = sweep(data).axes[0].get_ylabel()
+        assert "position (positions[-1, -1, z]) [" in label
 
 
 def test_every_cell_of_a_map_has_the_value_of_its_place() -> None:

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.plots.sweeps import _rank_correlation
 from ropewalk.record.errors import InputError
 from ropewalk.scene import SceneError
 from ropewalk.scene.presets import preset
 from ropewalk.sweeps.designs import spread_over
 from ropewalk.sweeps.parameters import make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
-from ropewalk.sweeps.spread_text import parse_uncertain
+from ropewalk.sweeps.spread_text import parse_uncertain, parse_vary
 from sweeps.scenes import swing
 
 EA = "rope.made_of.EA"
@@ -111,3 +112,32 @@ def test_ranges_of_whole_numbers_have_their_whole_numbers_alone() -> None:
 def test_a_range_without_a_whole_number_is_refused() -> None:
     with pytest.raises(SceneError, match="has no whole number, which is needed there; 7 and 8 are"):
         make_parameters(swing(), {"rope.segments": (7.2, 7.8)})
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        ("0...5", "two dots"),  # was 0 to 0.5
+        ("geomspace(0, 1, 3)", "zero"),
+        ("linspace(0, 1, 1e9)", "at most 1000000"),
+        ("linspace(0, 1, 1e300)", "at most 1000000"),
+        ("logspace(0, 999, 3)", "not finite"),
+    ],
+)
+def test_what_is_no_range_or_grid_is_refused(text: str, rule: str) -> None:
+    with pytest.raises(InputError, match=rule):
+        parse_vary(f"rope.length={text}")
+
+
+def test_more_samples_than_there_can_be_are_refused() -> None:
+    with pytest.raises(InputError, match="samples.*at most"):
+        rw.uncertain(preset("zip-line"), {EA: "10%"}, samples=10**9)
+
+
+def test_what_a_result_follows_is_by_ranks_of_which_equal_ones_share_theirs() -> None:
+    """By their order in the grid a parameter without effect got 0.34, more than one with."""
+    values = np.meshgrid(np.arange(2.0), np.arange(2.0), np.arange(25.0), indexing="ij")
+    none, some, most = (one.ravel() for one in values)
+    y = most + 3.0 * some
+    assert _rank_correlation(none, y) == pytest.approx(0.0, abs=1e-12)
+    assert 0.15 < _rank_correlation(some, y) < 0.25 < _rank_correlation(most, y)

@@ -54,13 +54,21 @@ WORDS += ["dynamic-single", "dynamic-single-8.9"]
 
 
 def every_path(scene: Scene) -> Iterator[tuple[str, type, str, Any]]:
-    """Yield path, model, key and present value of every field of every part of a scene."""
+    """Yield path, model, key and present value of every field of every part of a scene.
+
+    Of parts that have the same fields (ropes of one kind of material) those of the first.
+    """
+    met: set[tuple[type, frozenset[str]]] = set()
 
     def below(table: dict[str, Any], model: type, prefix: str) -> Iterator[Any]:
+        given = (model, frozenset(key for key, value in table.items() if value is not None))
+        known = given in met
+        met.add(given)
         for key, field in keys(model).items():
             kind, value, path = kind_of(field), table.get(key), f"{prefix}{key}"
             if not kind.models:
-                yield path, model, key, value
+                if not known:
+                    yield path, model, key, value
             elif kind.listed:
                 for number, item in enumerate(value or []):
                     one = by_tag(kind.models, item.get("kind", tag(kind.models[0])))

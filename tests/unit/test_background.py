@@ -6,6 +6,7 @@ import threading
 
 import pytest
 
+from patience import PATIENCE
 from ropewalk.record.run import Background
 
 
@@ -13,7 +14,7 @@ def test_tasks_run_one_after_another_beside_the_caller() -> None:
     done: list[int] = []
     gate = threading.Event()
     with Background() as beside:
-        beside.start(lambda: (gate.wait(10.0), done.append(0))[1])
+        beside.start(lambda: (gate.wait(PATIENCE), done.append(0))[1])
         assert done == []  # the caller goes on while the task waits
         gate.set()
         for i in range(1, 20):
@@ -27,7 +28,7 @@ def test_the_end_waits_for_the_last_task() -> None:
     done: list[int] = []
     gate = threading.Event()
     with Background() as beside:
-        beside.start(lambda: (gate.wait(10.0), done.append(1))[1])
+        beside.start(lambda: (gate.wait(PATIENCE), done.append(1))[1])
         threading.Timer(0.05, gate.set).start()
     assert done == [1]
 

@@ -114,6 +114,8 @@ def test_a_later_fall_has_the_force_that_is_given() -> None:
     assert new.relaxing_EA is not None
     factor = harder_by(1e4, new.EA, new.relaxing_EA, new.relaxation_time or 0.0, 80.0)
     assert factor > 1.0
+    with pytest.raises(ValueError, match="must be 'mass' or 'anchor'"):
+        harder_by(1e4, new.EA, new.relaxing_EA, 1.0, 80.0, measured="Mass")
     assert factor * new.EA == pytest.approx(fifth.EA)
     assert fifth.relaxing_EA == pytest.approx(factor * new.relaxing_EA)
     found = solid_fall(fifth.EA, fifth.relaxing_EA, fifth.relaxation_time or 0.0, 80.0)

@@ -16,7 +16,22 @@ from ropewalk.live.edits import Edit
 from ropewalk.live.track import Track
 from ropewalk.lowering import build
 from ropewalk.record.export import export
-from ropewalk.scene import Scene, SceneError, apply_overrides, dumps, loads
+from ropewalk.scene import (
+    Anchor,
+    Contact,
+    Cylinder,
+    Ground,
+    Material,
+    Plane,
+    Polyline,
+    Rope,
+    Scene,
+    SceneError,
+    Straight,
+    apply_overrides,
+    dumps,
+    loads,
+)
 from ropewalk.scene.recut import recut
 from ropewalk.sheets.ropes import assumption_section
 
@@ -73,7 +88,10 @@ def test_check_says_where_a_rope_rests_and_nothing_where_there_is_no_rest() -> N
     check = rw.check(loose)
     assert not any("at rest" in line for line in check.ropes[0].lines())
     assert check.ropes[0].utilisation is None
-    assert any("the ropes still slide or fall" in text for text in check.warnings)
+    (told,) = (text for text in check.warnings if "the ropes still slide or fall" in text)
+    assert "fall. `ropewalk settle` looks longer. " in told
+    assert not [text for text in check.warnings if ".." in text]
+    assert "rope 'rope': no anchor holds it" in check.warnings
     assert not [text for text in check.warnings if "stretched" in text]
 
 
@@ -250,3 +268,63 @@ def test_a_corner_of_three_planes_is_in_the_bound() -> None:
         for count in (1, 2, 3)
     ]
     assert steps[0] > steps[1] > steps[2]
+
+
+def lines(*heights: float, **more: object) -> Scene:
+    """Ropes of 0.5 m along x in turn with such along y, at `heights` [m]."""
+    made_of = Material(EA=2e4, mass_per_length=0.1, axial_damping=20.0)
+    ropes = []
+    for row, z in enumerate(heights):
+        way = np.array([0.25, 0.0, 0.0] if row % 2 == 0 else [0.0, 0.25, 0.0])
+        shape = Straight(
+            start=tuple(np.array([0, 0, z]) - way), end=tuple(np.array([0, 0, z]) + way)
+        )
+        cut = {"segments": 20, "length": 0.5, "diameter": 0.01}
+        ropes.append(Rope(name=f"rope{row}", **cut, made_of=made_of, shape=shape))
+    return Scene(ropes=ropes, **more)
+
+
+def unheld(scene: Scene) -> list[str]:
+    """What is said of ropes that no anchor holds."""
+    return [
+        text for text in rw.check(scene, measure=False).warnings if "hold" in text.split(";")[0]
+    ]
+
+
+def test_of_ropes_that_no_anchor_holds_one_sentence_is_said() -> None:
+    """A net had a line for each of its ropes, and "it falls" was said of a rope right above another."""
+    floor, touch = Plane(point=(0, 0, -1)), Contact(friction=0.3)
+    assert unheld(lines(0.0, 0.02, 0.04, 0.06)) == [
+        "ropes 'rope0', 'rope1', 'rope2' and 1 more: nothing holds them; they fall"
+    ]
+    assert unheld(lines(0.0)) == ["rope 'rope0': nothing holds it; it falls"]
+    assert unheld(lines(0.0, gravity=(0, 0, 0))) == ["rope 'rope0': nothing holds it"]
+    ends = [Anchor(rope="rope0", node=node) for node in (0, -1)]
+    assert unheld(lines(0.0, 0.02, anchors=ends)) == ["rope 'rope1': nothing holds it; it falls"]
+    assert unheld(lines(0.0, 0.02, anchors=ends, contact=touch)) == [
+        "rope 'rope1': no anchor holds it"
+    ]
+    assert unheld(lines(0.0, ground=Ground(height=0.0))) == []  # which lies there, and was to fall
+    both = "ropes 'rope0', 'rope1': "
+    assert unheld(lines(0.0, 0.02, contact=touch)) == [f"{both}nothing holds them; they fall"]
+    assert unheld(lines(0.0, 0.02, contact=touch, obstacles=[floor])) == [
+        f"{both}no anchor holds them"
+    ]
+
+
+def test_what_is_tied_to_a_rope_that_lies_is_held() -> None:
+    """A rope over a bar, and one that hangs from its end and touches nothing: it was said to fall."""
+    arc = [(0.0555 * math.cos(a), 0.0, 0.0555 * math.sin(a)) for a in np.linspace(math.pi, 0.0, 25)]
+    over = Polyline(points=[(-0.0555, 0, -0.3), *arc, (0.0555, 0, -0.3)])
+    hangs = Straight(start=(0.0555, 0, -0.3), end=(0.0555, 0, -0.4))
+    scene = lines(0.0, 0.0)
+    first, second = scene.ropes
+    ropes = [
+        first.replace(segments=40, length=0.6 + 0.0555 * math.pi, shape=over),
+        second.replace(segments=4, length=0.1, shape=hangs),
+    ]
+    points = [{"rope": "rope0", "node": -1}, {"rope": "rope1", "node": 0}]
+    bar = Cylinder(start=(0, -0.1, 0), end=(0, 0.1, 0), radius=0.05, friction=0.8)
+    tied = Scene(ropes=ropes, joints=[{"points": points}], obstacles=[bar])
+    assert {wrap.rope for wrap in rw.check(tied, measure=False).statics.wraps} == {"rope0"}
+    assert unheld(tied) == []

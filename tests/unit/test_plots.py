@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import subprocess
 import sys
@@ -15,7 +16,7 @@ from ropewalk import equilibrium, plots
 from ropewalk.plots.energies import energy_curves
 from ropewalk.plots.sight import good_frames
 from ropewalk.plots.style import set_title
-from ropewalk.plots.tensions import colour_scale, thinned
+from ropewalk.plots.tensions import colour_scale, open_ends, thinned
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import Scene, apply_overrides
 from ropewalk.scene.presets import preset
@@ -232,6 +233,9 @@ def test_one_spike_does_not_bleach_the_tension_map():
     scale, colours, extend = colour_scale([values])
     assert (scale.vmin, colours, extend) == (0.0, "viridis", "max")
     assert 9.9 < scale.vmax < 10.1
+    beyond = [(0.0, 10.0), (0.0, 11.0), (-1.0, 10.0), (-1.0, 11.0), (math.nan, math.nan)]
+    names = ["neither", "max", "min", "both", "neither"]
+    assert [open_ends(scale, *ends) for ends in beyond] == names
 
 
 def test_colours_diverge_from_zero_where_the_rope_pushes():

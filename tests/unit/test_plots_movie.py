@@ -10,6 +10,7 @@ from PIL import Image
 
 from ropewalk import plots
 from ropewalk.plots.gif import GifWriter, make_palette
+from ropewalk.plots.movies import decimals
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import apply_overrides
 from ropewalk.scene.presets import preset
@@ -28,6 +29,14 @@ def durations(path):
             image.seek(number)
             found.append(image.info["duration"])
         return found
+
+
+def test_no_two_pictures_of_a_slow_film_have_one_time() -> None:
+    """At a thousandth of real time all pictures within 10 ms said 0.12 s. At real time two decimals do."""
+    for fps, speed, places in ((25.0, 1.0, 2), (25.0, 1e-3, 5), (60.0, 1.0, 2), (50.0, 1e-2, 4)):
+        assert decimals(speed / fps) == places
+        stamps = {f"{0.12 + speed / fps * k:.{places}f}" for k in range(40)}
+        assert len(stamps) == 40
 
 
 @pytest.mark.parametrize(

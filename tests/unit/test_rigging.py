@@ -59,7 +59,7 @@ def test_a_line_of_what_does_not_stretch() -> None:
         ({"sag": "-2 %"}, "must be a share of the span greater than 0"),
         ({"sag": "1/2 %"}, "must be a length such as"),
         ({"length": "10 m"}, '"10 m" - must be more than'),
-        ({"length": 10.0}, "no rope stretches that far"),
+        ({"length": 10.0}, "set up with at most 90 % of stretch"),
         ({"length": 1e5}, "must be at most"),
         ({"sag": "x"}, "must be a number of m"),
     ],
@@ -191,6 +191,10 @@ def test_guesses_of_a_line_are_told_with_what_they_make_of_it() -> None:
         assert "guess" not in str(sure)
         assert "with EA" not in str(sure.rolling(80.0))
     assert "EA 32.7 kN is a guess" in str(rw.line(30.0, 0.0, line.material, sag=1))
+    # where an end of the range cannot be set up nothing was said, as of what is known
+    short = rw.line(10.0, 0.0, "bungee-8", pretension="300 N")
+    assert "EA 512 N is a guess, from 250 N to 1 kN" in str(short)
+    assert "EA is a guess" in str(short.rolling(5.0))
 
 
 def test_an_unknown_rope_and_none() -> None:

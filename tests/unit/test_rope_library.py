@@ -106,7 +106,7 @@ def test_an_entry_is_plausible(name: str) -> None:
     assert one.wave_speed <= FASTEST.get(one.family, 5250)
     assert one.breaking_stress is not None
     assert stress[0] <= one.breaking_stress / 1e6 <= stress[1]
-    of_some = {"EA_static", "relaxing_EA", "relaxation_time"}
+    of_some = {"EA_static", "relaxing_EA", "relaxation_time", "straight_to"}
     assert {*UNITS} - {*one.numbers} <= of_some  # all others, guessed or not
     for number in (*one.numbers.values(), *one.label.values()):
         assert math.isfinite(number.value)

@@ -9,7 +9,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.plots.sight import sight
-from ropewalk.scene import Kick, Slack
+from ropewalk.scene import Kick, Polyline, Slack
 
 
 def swung(velocity: tuple[float, float, float]) -> rw.Result:
@@ -56,6 +56,20 @@ def test_motion_that_is_not_seen_is_told() -> None:
     moves = "Drawn is the plane of x and z; across it the ropes move, too, by "
     assert moves in written(result.plot.shape(plane="xz"))
     assert "across it" not in written(swung((0.0, 0.0, 2.0)).plot.shape())
+
+
+def test_what_reaches_out_of_the_plane_without_moving_is_told() -> None:
+    """A rope blown aside by half its span was drawn as one that hangs; the twin hangs."""
+    for aside, told in ((2.0, True), (0.2, False)):
+        rope = rw.Rope(
+            segments=2, length=5.0, made_of=rw.Material(EA=1e4, mass_per_length=0.1),
+            shape=Polyline(points=[(0, 0, 0), (2, aside, -1), (4, 0, 0)]),
+        )  # fmt: skip
+        run = rw.RunSettings(duration=0.1, frame_rate=50.0, method="implicit-euler", time_step=0.01)
+        anchors = [rw.Anchor(node=i) for i in range(3)]
+        result = rw.simulate(rw.Scene(ropes=[rope], anchors=anchors, run=run))
+        line = "Drawn is the plane of x and z; across it the ropes reach 2 m."
+        assert (line in written(result.plot.shape())) is told
 
 
 def test_loads_beside_each_other_have_one_label() -> None:

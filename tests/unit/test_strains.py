@@ -7,6 +7,8 @@ import pytest
 from report_rope import scene, warnings
 from ropewalk.analysis.check import check
 from ropewalk.api import simulate
+from ropewalk.rigging import Line, line
+from ropewalk.rigging.slips import strain_slip
 from ropewalk.scene import (
     Anchor,
     Load,
@@ -70,6 +72,15 @@ def test_a_shape_that_starts_pressed_is_told() -> None:
         return [text for text in check(hung, measure=False).warnings if "starts it pressed" in text]
 
     (text,) = told()
+    small = Material(EA=0.05, mass_per_length=1e-10)
+    thread = Rope(segments=20, length=5e-3, made_of=small, shape=Slack(end=(4e-3, 0.0, 0.0)))
+    ends = [Anchor(node=0), Anchor(node=-1)]
+    (of_silk,) = [
+        one
+        for one in check(Scene(ropes=[thread], anchors=ends), measure=False).warnings
+        if "pressed" in one
+    ]
+    assert "by up to 4.49" in of_silk  # it was not told of less than a millinewton
     assert "by up to 898.7 N, where it carries 2.859 N at rest" in text
     assert told(start="at-rest") == []
     assert told(tension_only=True) == []
@@ -118,3 +129,45 @@ def test_a_climbing_rope_from_its_own_label_may_hang_by_a_tenth() -> None:
         found = check(hung, measure=False)
         assert 0.1 < found.ropes[0].largest_strain < 0.12
         assert any("kN typed as N" in text for text in found.warnings) is told
+
+
+def _hung(made_of: Material, strain: float, duration: float = 0.05) -> Scene:
+    """A metre that hangs by its own stretch under a load."""
+    rope = Rope(
+        segments=4, length=1.0, made_of=made_of, shape=Straight(direction=(0, 0, -1)),
+        loads=[Load(node=-1, mass=strain * made_of.EA / 9.81)],
+    )  # fmt: skip
+    run = {"duration": duration, "start": "at-rest"}
+    return Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, -9.81), run=run)
+
+
+@pytest.mark.parametrize(
+    ("name", "right", "beyond", "words"),
+    [
+        ("bungee-8", 0.6, 1.5, "its cover holds it: true forces are larger"),
+        ("rubber-cord-8", 0.9, 4.5, "it stiffens: true forces may be larger"),
+        ("spider-dragline", 0.01, 0.06, "it yields: true forces are smaller"),
+    ],
+)
+def test_a_library_rope_beyond_its_straight_line_is_told(
+    name: str, right: float, beyond: float, words: str
+) -> None:
+    """A bungee at two and a half times its length had 780 N in the table, and not a word was said."""
+    made_of = Rope(segments=1, length=1.0, made_of=name).made_of
+    assert isinstance(made_of, Material)
+    for strain, told in ((right, False), (beyond, True)):
+        scene = _hung(made_of, strain)
+        found = check(scene, measure=False).warnings
+        assert any(words in text for text in found) is told
+        about = simulate(scene).table.get("about the largest stretch", "")
+        assert (words in about and f"EA of {name}" in about) is told
+        tension = strain * made_of.EA
+        assert any(words in text for text in strain_slip(_pulled(made_of), tension)) is told
+    # The EA of a measurement of one's own is not the library's: of that nothing is known.
+    own = made_of.replace(EA=1.5 * made_of.EA)
+    assert not any(words in text for text in check(_hung(own, beyond), measure=False).warnings)
+
+
+def _pulled(made_of: Material) -> Line:
+    """A line of which only the material matters here."""
+    return line(1.0, 0.0, made_of, length=1.001)

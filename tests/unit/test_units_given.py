@@ -94,6 +94,10 @@ def test_the_command_line_takes_them() -> None:
         ("EA", "-3 kN", "must be greater than 0"),
         ("EA", "3 m^9999999", "is no number with a unit"),
         ("EA", "3 " + "m*" * 500 + "m", "is no number with a unit"),
+        ("EA", "1 000", "is more than one number; write a list, [1, 000], or one alone"),
+        ("EA", "1,2,3", "is more than one number; write a list, [1, 2, 3], or one alone"),
+        # took half a minute, and thirty times longer with each further number
+        ("EA", "1000  " * 8 + "m", "is no number with a unit"),
         ("mass_per_length", "63 g", "a quantity in kg/m is needed"),
     ],
 )

@@ -27,8 +27,9 @@ from ropewalk.scene import (
     Spin,
     Velocity,
 )
+from verification.test_capstan import capstan
 from verification.test_energy_of_contacts import crossing
-from verification.test_touch import MU, capstan, g, incline
+from verification.test_touch import MU, g, incline
 
 ENTRIES = {"motor", "normal", "friction", "stored", "method"}
 

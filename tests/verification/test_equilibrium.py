@@ -362,3 +362,20 @@ def test_the_cantilever_test(gamma: float, aspect: float) -> None:
         np.testing.assert_allclose(found.reactions[0, 0], [0, 0, 0.1 * G], atol=1e-9)
     assert errors[1] < 5e-5
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
+
+
+@pytest.mark.parametrize(("segments", "EI"), [(10, 1e-3), (10, 1.0), (100, 1.0)])
+def test_a_taut_beam_without_weight(segments: int, EI: float) -> None:
+    # Rounding of its bends is all the force there is on a node: no measure of what is at rest.
+    # w_n^2 = (T k^2 + EI k^4) / mu, k = n pi / L (Rayleigh, Theory of Sound, 189).
+    EA, pull, mu = 1e6, 30.0, 0.5
+    stuff = rw.Material(EA=EA, EI=EI, mass_per_length=mu)
+    taut = chain(segments, stuff, end=(1 + pull / EA, 0, 0), length=1.0, gravity=(0, 0, 0))
+    found = rw.equilibrium(taut)
+    np.testing.assert_allclose(found.tension[0], pull, rtol=1e-6)
+    np.testing.assert_allclose(found.reactions[0, 1], [pull, 0, 0], rtol=1e-6, atol=1e-9)
+    k = math.pi * np.arange(1, 4)
+    rates = 2 * math.pi * rw.modes(taut, count=6).frequencies[::2]
+    np.testing.assert_allclose(
+        rates, np.sqrt((pull * k**2 + EI * k**4) / mu), rtol=8.0 / segments**2
+    )

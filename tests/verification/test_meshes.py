@@ -281,6 +281,11 @@ FAULTS: dict[str, tuple[Any, str]] = {
     ),
     "turned": ([FACES[0][::-1], *FACES[1:]], "its neighbours disagree which side is outside"),
     "flat": ([(0, 0, 1), *FACES], "must have three sides each"),
+    "thin": ([(0, 1, 2), (0, 2, 1)], "encloses nothing: its sides lie on each other"),
+    "square": (
+        [(0, 1, 2, 3), *FACES],
+        "must have three vertices, and has 4; cut what has more corners into triangles",
+    ),
     "beyond": ([(0, 1, 8), *FACES], "must be numbers of vertices, 0 to 7"),
 }
 
@@ -296,6 +301,9 @@ def test_faults_of_distances_are_told() -> None:
     values, origin = ball_of_distances(0.04)
     cases = {
         "must be positive all round": {"values": values[:12], "spacing": 0.04},
+        "are negative all round.*; turn their signs": {"values": -values, "spacing": 0.04},
+        "with a slope of 1 next to the surface, not 99": {"values": 1e3 * values, "spacing": 0.04},
+        "complex numbers are no distances": {"values": values + 0j, "spacing": 0.04},
         "there is none": {"values": np.abs(values) + 0.01, "spacing": 0.04},
         "with a slope of 1 next to the surface, not 0.0399": {"values": values, "spacing": 1.0},
         "three points or more each way": {"values": values[0], "spacing": 0.04},

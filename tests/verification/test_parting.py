@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.analysis.strains import parting_warnings
 from ropewalk.cli.commands.run import _tell_of_partings
 from ropewalk.laws.pairs.table import CONTACTS, NEAR
 from ropewalk.methods.registry import METHODS
@@ -123,6 +125,29 @@ def test_the_check_says_whether_a_line_is_near_its_load_at_rest() -> None:
     assert "would have parted" not in str(rw.check(hung(0.99 * TOP)))
     assert "breaking load at rest; it parts with little more" in told(1.05 * TOP)
     assert "breaking load" not in told(2.0 * TOP)
+    scene = hung(0.99 * TOP)
+    drawn = scene.replace(run=scene.run.replace(start="shape"))
+    assert "it parts by the time it is at rest" in " ".join(rw.check(drawn).warnings)
+
+
+@pytest.mark.parametrize(
+    ("utilisation", "worst", "then"),
+    [
+        (0.95, None, "it parts with little more"),
+        (0.7, 0.95, "it may part with little more"),
+        (0.7, 1.2, "it may part as it starts"),
+        (1.1, 1.8, "it parts as it starts"),
+        (0.7, 0.85, ""),
+    ],
+)
+def test_of_a_guessed_breaking_load_the_least_counts(
+    utilisation: float, worst: float | None, then: str
+) -> None:
+    """A rope that cannot part was warned of, and one that can was not."""
+    scene = hung(100.0)
+    rope = replace(rw.check(scene).ropes[0], utilisation=utilisation, worst=worst)
+    found = parting_warnings(scene, (rope,))
+    assert [text.partition("at rest; ")[2] for text in found] == ([then] if then else [])
 
 
 def test_both_ends_fly_apart_with_equal_and_opposite_momentum() -> None:

@@ -274,6 +274,36 @@ def test_a_solid_beside_another_rope_moves_as_alone() -> None:
     np.testing.assert_array_equal(one.positions[-1], two.rope("first").positions[-1])
 
 
+def test_modes_say_what_they_leave_out() -> None:
+    """E1 = 3 EA: up to sqrt(1 + 3) = 2 times as fast, with (2 - 1) / 2 of the critical damping, which a run
+    has where the rate at rest is (1 + 3)^(-3/4) / tau, by the roots of tau s^3 + s^2 + 4 tau w^2 s + w^2.
+    """
+
+    def notes(**more: Any) -> list[str]:
+        between = Straight(start=(0, 0, 0), end=(1.01, 0, 0))
+        rope = Rope(segments=2, length=1.0, made_of=stuff(**more), shape=between)
+        ends = [Anchor(node=0), Anchor(node=-1)]
+        return rw.modes(Scene(gravity=(0, 0, 0), ropes=[rope], anchors=ends)).notes
+
+    (note,) = notes(relaxing_EA=3.0 * EA)
+    assert "at 3.18 Hz rings up to 2 times as fast" in note
+    assert "a damping ratio of up to 0.5;" in note
+    assert notes(relaxing_EA=None, relaxation_time=None) == []
+    w, ratios = np.sqrt(EA / MASS), []
+    for tau in np.geomspace(0.1, 10.0, 201) * 4.0**-0.75 / w:
+        roots = np.roots([tau, 1.0, 4.0 * tau * w**2, w**2])
+        ring = roots[roots.imag > 0.0]
+        ratios.append(float((-ring.real / abs(ring)).max()))
+    assert max(ratios) == pytest.approx(0.5, abs=1e-9)
+    assert ratios.index(max(ratios)) == 100
+    tau = 4.0**-0.75 / w
+    found = rw.simulate(swing(relaxing_EA=3.0 * EA, relaxation_time=tau))
+    roots = np.roots([tau, 1.0, 4.0 * tau * w**2, w**2])
+    start = np.linalg.solve([roots**0, roots, roots**2], [0.0, 3.0, 0.0])
+    exact = (start * np.exp(roots * found.time[:, None])).sum(axis=1).real
+    assert np.abs(found.positions[:, 1, 0] - 1.0 - exact).max() < 1e-6
+
+
 @pytest.mark.parametrize(
     ("fields", "words"),
     [

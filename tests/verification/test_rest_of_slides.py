@@ -14,7 +14,18 @@ from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.table import AT, GRADIENT, PER_PLACE, R1
 from ropewalk.lowering import build
 from ropewalk.rigging.held_places import held_places, in_words
-from ropewalk.scene import Anchor, Load, Material, Points, Rope, Scene, Slack, Slide, Straight
+from ropewalk.scene import (
+    Anchor,
+    Force,
+    Load,
+    Material,
+    Points,
+    Rope,
+    Scene,
+    Slack,
+    Slide,
+    Straight,
+)
 from ropewalk.simulation import Simulation
 from ropewalk.statics import checked_shape
 from ropewalk.statics.balance import Balance
@@ -192,6 +203,15 @@ def test_where_nothing_says_between_which_places() -> None:
     seat = slope(scene)[1].seats[0]
     more = scene.replace(anchors=[*scene.anchors, rw.Anchor(rope="line", node=7)])
     assert held_places(build(more).scene, ropes, seat) is None
+    for rope, node in (
+        ("line", 10),
+        ("rider", -1),
+    ):  # a force is no weight of the line, nor upright
+        pushed = [
+            one.replace(forces=[Force(node=node, force=(0, 0, -500))]) if one.name == rope else one
+            for one in scene.ropes
+        ]
+        assert held_places(build(scene.replace(ropes=pushed)).scene, ropes, seat) is None
 
 
 def test_friction_that_holds_it_near_where_arcs_meet_is_found() -> None:

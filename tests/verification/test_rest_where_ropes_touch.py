@@ -198,6 +198,20 @@ def test_a_rope_over_another_holds_within_the_capstans_bounds() -> None:
             checked_shape(slides)
 
 
+def test_only_what_turns_towards_the_other_rope_holds() -> None:
+    """A strand that friction holds in a bow turns in the plane of both ropes, too: that carries nothing.
+
+    With T beside it and the weight W of its two nodes, R = W + 2 T sin(angle / 2).
+    """
+    (touch,) = checked_shape(crossed(0.6, bow=0.12)).touches
+    assert touch.use == pytest.approx(1.0, rel=1e-6)  # drawn as far aside as friction holds
+    strand, weight = touch.other, 2 * 0.1 * 1.05 / 21 * g
+    assert strand.before == pytest.approx(strand.after, rel=1e-6)
+    turn = 2.0 * math.asin((touch.force - weight) / (2.0 * strand.before))
+    assert strand.angle == pytest.approx(turn, rel=1e-3)  # 0.6; in all it turns by 0.75
+    assert strand.most / strand.before == pytest.approx(math.exp(0.6 * turn), rel=1e-3)
+
+
 def knotted(mass: float = 1.0) -> Scene:
     """An overhand knot in a rope that hangs from an anchor, with a load [kg] at its end."""
     rope = rw.preset("overhand").ropes[0]

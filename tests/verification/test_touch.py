@@ -1,8 +1,7 @@
 """Obstacles: Coulomb friction that sticks, against closed forms.
 
 An incline holds below atan mu and lets slide with g (sin - mu cos) above; a sliding body stops after
-v^2 / (2 mu g); round a drum tensions grow by exp(mu theta), whatever the number of nodes; a drum that turns
-drags with the same factor at any speed.
+v^2 / (2 mu g). Drums: `test_capstan`.
 """
 
 from __future__ import annotations
@@ -23,14 +22,12 @@ from ropewalk.lowering import build
 from ropewalk.lowering.obstacle_checks import touches
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
-    Anchor,
     Box,
     Capsule,
     Cylinder,
     Force,
     Ground,
     HalfPipe,
-    Load,
     Material,
     Mesh,
     Obstacle,
@@ -185,80 +182,7 @@ def test_friction_on_a_slope_is_that_of_a_straight_rope(slope: float, method: st
     assert way == pytest.approx(max(slides, 0.0), abs=1e-4)  # it sinks in by 0.05 mm
 
 
-# -- round a drum ----------------------------------------------------------------------------
-
-
-def capstan(
-    theta: float, mu: float, f: float, *, per: int = 24, pinned: bool = False, **more: Any
-) -> Scene:
-    """Weights of 10 N and f exp(mu theta) times as much on a nearly massless rope round a drum of 5 cm.
-
-    Theta in degrees, `per` nodes for each half turn. It starts with the tensions of rest, but what friction
-    holds.
-    """
-    turn, count, radius = math.radians(theta), round(per * theta / 180.0), 0.055
-    most = math.exp(mu * turn)
-    light, heavy = 10.0, 10.0 * f * most
-    ratio = min(f * most, most)
-    tension = light * ratio ** ((np.arange(count) + 0.5) / count)
-    own = 2.0 * radius * math.sin(0.5 * turn / count)  # of a chord
-    EA, free = 1e5, 5
-    for _ in range(50):  # the rest length with which the stretched chords fit
-        chords = own * (1.0 + tension / EA)
-        own *= turn / float(2.0 * np.arcsin(0.5 * chords / radius).sum())
-    angle = np.concatenate([[0.0], np.cumsum(2.0 * np.arcsin(0.5 * chords / radius))])
-    circle = radius * np.stack((np.cos(angle), 0.0 * angle, np.sin(angle)), axis=1)
-    away = np.arange(1, free + 1)[:, None] * np.array([[0.0, 0.0, -own]])
-    points = [
-        *(circle[0] + away * (1.0 + light / EA))[::-1],
-        *circle,
-        *(circle[-1] + away * (1.0 + heavy / EA)),
-    ]
-    rope = Rope(
-        segments=len(points) - 1,
-        length=own * (len(points) - 1),
-        made_of=Material(EA=EA, mass_per_length=1e-3),
-        diameter=0.01,
-        shape=Points(points=[tuple(map(float, point)) for point in points]),
-        loads=[Load(node=0, mass=light / g), Load(node=-1, mass=heavy / g)],
-    )
-    drum = Cylinder(start=(0, -1, 0), end=(0, 1, 0), radius=0.05, friction=mu, compliance=1e-6)
-    settings = {"duration": 5.0, "frame_rate": 60.0, "method": "esdirk3", "time_step": 1.0 / 60.0}
-    anchors = [Anchor(node=0)] if pinned else []
-    run = RunSettings(**(settings | more))
-    return Scene(ropes=[rope], anchors=anchors, obstacles=[drum], run=run)
-
-
-@pytest.mark.parametrize("f", [0.95, 0.99])
-@pytest.mark.parametrize(("theta", "mu"), [(180, 0.2), (180, 0.5), (540, 0.2), (540, 0.5)])
-def test_a_capstan_holds_below_its_limit(theta: float, mu: float, f: float) -> None:
-    """From 1 s to 5 s no node of the wrap moves by 1e-3 mm."""
-    simulation = Simulation(capstan(theta, mu, f, method="implicit-euler"))
-    simulation.advance_frames(60)
-    before = simulation.positions.copy()
-    simulation.advance_frames(240)
-    assert np.abs(simulation.positions - before)[7:-7].max() < 1e-6
-
-
-@pytest.mark.parametrize("method", ["implicit-euler", "esdirk3", "bdf2"])
-@pytest.mark.parametrize(("theta", "mu"), [(180, 0.2), (180, 0.5), (540, 0.2)])
-def test_a_capstan_slips_above_its_limit(theta: float, mu: float, method: str) -> None:
-    """a = g (f - 1) / (f + 1) for weights of P and f exp(mu theta) P on a massless rope."""
-    simulation = Simulation(capstan(theta, mu, 1.05, method=method))
-    simulation.advance_frames(6)
-    before = simulation.velocities[-1, 2]
-    simulation.advance_frames(6)
-    found = float(before - simulation.velocities[-1, 2]) / 0.1
-    assert found == pytest.approx(g * 0.05 / 2.05, rel=0.03)
-
-
-@pytest.mark.parametrize(("per", "within"), [(12, 0.005), (24, 0.002)])
-def test_tensions_grow_by_the_angle_whatever_the_polygon(per: int, within: float) -> None:
-    """exp(mu theta); a plain polygon of twelve nodes for half a turn errs by 1.3 % at mu = 0.5."""
-    simulation = Simulation(capstan(180, 0.5, 1.01, per=per, method="implicit-euler"))
-    simulation.advance_frames(8)
-    tension = simulation.recording().recording.tension[0]
-    assert tension[-3] / tension[2] == pytest.approx(math.exp(0.5 * math.pi), rel=within)
+# -- the law ---------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("turn", [1e-8, 0.1, 0.5, math.pi / 2])
@@ -266,20 +190,6 @@ def test_a_nodes_friction_is_that_of_its_arc(turn: float) -> None:
     for mu in (0.2, 0.5, 0.9):
         slope = on_polygon(mu, turn) * math.tan(0.5 * turn)
         assert (1.0 + slope) / (1.0 - slope) == pytest.approx(math.exp(mu * turn), rel=1e-12)
-
-
-@pytest.mark.parametrize("rate", [2.0, -2.0, 20.0])
-def test_a_drum_drags_with_the_same_factor_at_any_speed(rate: float) -> None:
-    """One end pinned, a weight on the other: the ratio of tensions is exp(+-mu theta)."""
-    scene = capstan(180, MU, 0.2, pinned=True, method="implicit-euler", duration=1.0)
-    drum = scene.obstacles[0].replace(spin=Spin(rate=rate))
-    result = rw.simulate(scene.replace(obstacles=[drum]))
-    tension = result.tension[-1]
-    expected = math.exp(math.copysign(MU * math.pi, rate))
-    assert tension[-3] / tension[2] == pytest.approx(expected, rel=5e-3)
-
-
-# -- the law ---------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", BODIES)

@@ -8,7 +8,7 @@ import numpy as np
 
 from ropewalk.laws.acting import flow
 from ropewalk.lowering import Model
-from ropewalk.scene import Material, Rope
+from ropewalk.scene import Clamp, Material, Rope
 
 _FLAT = 1e-6  # [1] what counts as in a plane
 _THICK = (
@@ -42,6 +42,7 @@ def _out_of_plane(model: Model, rope: Rope) -> list[str]:
         "gravity": _leaves(axis, model.system.gravity),
         "the wind": _leaves(axis, flow(model.system)),
         "a clamp": any(_leaves(axis, d) for d in _directions(model, rope)),
+        "a clamp's turn": any(_turns_out(axis, clamp) for clamp in _clamps(model, rope)),
     }
     named = [cause for cause, leaves in causes.items() if leaves]
     if not named:
@@ -53,9 +54,20 @@ def _out_of_plane(model: Model, rope: Rope) -> list[str]:
     ]
 
 
+def _clamps(model: Model, rope: Rope) -> list[Clamp]:
+    anchors = [anchor for anchor in model.scene.anchors if anchor.rope == rope.name]
+    return [anchor.clamp for anchor in anchors if anchor.clamp is not None]
+
+
 def _directions(model: Model, rope: Rope) -> list[tuple[float, ...]]:
-    anchors = [a for a in model.scene.anchors if a.rope == rope.name and a.clamp is not None]
-    return [tuple(a.clamp.direction) for a in anchors if a.clamp is not None]
+    return [tuple(clamp.direction) for clamp in _clamps(model, rope)]
+
+
+def _turns_out(axis: np.ndarray, clamp: Clamp) -> bool:
+    """Tell whether a clamp turns about another axis."""
+    about = np.asarray(clamp.turn_axis, dtype=np.float64)
+    aside = np.linalg.norm(np.cross(axis, about)) > _FLAT * np.linalg.norm(about)
+    return clamp.turn_rate != 0.0 and bool(aside)
 
 
 def _leaves(axis: np.ndarray, vector: object) -> bool:

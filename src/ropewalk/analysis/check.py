@@ -16,13 +16,19 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.knot_notes import knot_warnings
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
-from ropewalk.analysis.rest_notes import limiter_warnings, may_say_nothing, rest_warnings
+from ropewalk.analysis.rest_notes import (
+    limiter_warnings,
+    may_say_nothing,
+    rest_warnings,
+    unheld_warnings,
+)
 from ropewalk.analysis.rope_check import RopeCheck, rope_check
 from ropewalk.analysis.slide_notes import slide_warnings
 from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
 from ropewalk.analysis.strains import (
     breaking_warnings,
     overlong_at_start,
+    parting_warnings,
     pressed_at_start,
     strain_warnings,
 )
@@ -40,7 +46,6 @@ __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 _SMALL_MARGIN = 0.1
 _ROUNDING = 1e-9
 _AFFORDABLE = 20_000  # nodes up to which the highest frequency at rest is computed
-_NEAR_PARTING = 0.9  # [1] of the breaking load
 
 
 @unquoted
@@ -243,23 +248,13 @@ def _warnings(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "
                 "their rest length"
             )
-        load = model.scene.rope_named(rope.name).strength
-        if rope.utilisation is not None and load < math.inf and rope.utilisation > _NEAR_PARTING:
-            share = f"{100.0 * rope.utilisation:.4g} % of the breaking load"
-            parts = (
-                "it parts as it starts" if rope.utilisation > 1.0 else "it parts with little more"
-            )
-            warnings.append(f"rope {rope.name!r}: carries {share} at rest; {parts}")
         if rope.slack and not may_say_nothing(model):
             warnings.append(
                 f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments carry no tension "
                 "at rest"
             )
-    warnings += [
-        f"rope {name!r}: nothing holds it" + ("; it falls" if np.any(model.system.gravity) else "")
-        for name in statics.unheld
-        if not (statics.solved and name in {wrap.rope for wrap in statics.wraps})
-    ]
+    warnings += unheld_warnings(model, statics)
+    warnings += parting_warnings(model.scene, ropes)
     warnings += strain_warnings(model, statics, ropes) + breaking_warnings(ropes)
     warnings += pressed_at_start(model, statics, ropes)
     warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
@@ -283,7 +278,7 @@ def _stability_warnings(found: Stability) -> list[str]:
     if found.margin < _SMALL_MARGIN:
         lower = rounded_down(found.bound / (1.0 + _SMALL_MARGIN))
         return [
-            f"only {100 * found.margin:.2g} % below the largest stable step; "
+            f"the largest stable step is only {100 * found.margin:.2g} % longer; "
             f"time_step <= {lower} s leaves 10 %"
         ]
     return []

@@ -5,10 +5,43 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.lowering import Model
+from ropewalk.scene.joint import tied_ropes
 from ropewalk.statics import Statics
 from ropewalk.statics.wraps import MANY
 
 _ROUNDING = 1e-9
+_NAMED = 3  # ropes that one sentence names
+
+
+def unheld_warnings(model: Model, statics: Statics) -> list[str]:
+    """Return a sentence for ropes that no anchor holds, but those that were found to lie on something.
+
+    Where there is what they may fall on, and no rest was found or looked for, it is not said that they fall.
+    """
+    lying = _lying(model, statics) if statics.solved else set()
+    names = [name for name in statics.unheld if name not in lying]
+    if not names:
+        return []
+    one = len(names) == 1
+    ropes = f"rope{'' if one else 's'} " + ", ".join(map(repr, names[:_NAMED]))
+    if len(names) > _NAMED:
+        ropes = f"{ropes} and {len(names) - _NAMED} more"
+    them, they = ("it", "it falls") if one else ("them", "they fall")
+    if not np.any(model.system.gravity):
+        return [f"{ropes}: nothing holds {them}"]
+    below = bool(model.scene.obstacles) or model.scene.ground is not None
+    beside = model.layout.touches and len(statics.unheld) < len(model.layout.ropes)
+    if not statics.solved and (below or beside):
+        return [f"{ropes}: no anchor holds {them}"]
+    return [f"{ropes}: nothing holds {them}; {they}"]
+
+
+def _lying(model: Model, statics: Statics) -> set[str]:
+    """Return the names of ropes that lie on something at rest, and of those that are tied to them."""
+    on, ropes = {wrap.rope for wrap in statics.wraps}, model.scene.ropes
+    on |= {model.layout.rope_of(int(node))[0] for node in np.flatnonzero(statics.grounded)}
+    groups = [{ropes[i].name for i in one} for one in tied_ropes(ropes, model.scene.joints)]
+    return {name for group in groups if group & on for name in group}
 
 
 def limiter_warnings(model: Model, statics: Statics) -> list[str]:

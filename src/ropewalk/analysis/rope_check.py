@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropewalk.analysis.rest_notes import may_say_nothing
-from ropewalk.analysis.strains import percent, words_of_curve
+from ropewalk.analysis.strains import strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import slopes_at_rest
@@ -19,8 +19,17 @@ from ropewalk.scene.guess import doubt_of, worst_of
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.pushes import largest_push
 
-_OF_REST = ("transverse", "largest_tension", "largest_strain", "slack", "utilisation", "worst")
+_OF_REST = (  # None where it is not at rest
+    "transverse",
+    "largest_tension",
+    "largest_strain",
+    "slack",
+    "utilisation",
+    "worst",
+    "largest_push",
+)
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -48,6 +57,7 @@ class RopeCheck:
     parts: bool = False  # whether it parts at its breaking load
     doubt: str = ""  # what guesses make of the utilisation
     worst: float | None = None  # utilisation with the least of a guessed breaking load [1]
+    largest_push: float = 0.0  # at rest, of a segment that is pressed [N]; 0 where none is
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -56,8 +66,12 @@ class RopeCheck:
         text += [f"  {one}" for one in (self.made_of, self.curve) if one]
         if not self.rests:
             return text
-        strain = "" if self.largest_strain is None else f", strain {percent(self.largest_strain)}"
+        strain = (
+            "" if self.largest_strain is None else f", strain {strain_words(self.largest_strain)}"
+        )
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
+        if self.largest_push > 0.0:
+            text.append(f"  at rest: largest push {prefixed(self.largest_push, 'N', 5)}")
         if self.utilisation is not None:
             beyond = "it parts" if self.parts else "it would have parted"
             doubt = f"; {self.doubt}" if self.doubt else ""
@@ -93,9 +107,9 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     rest, tension = state.rest_length[segments], statics.tension[segments]
     rests = statics.solved or not may_say_nothing(model)
     load = breaking_load(rope) if rests else None
-    use = None if load is None else float(tension.max(initial=0.0)) / load
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
-    taut = tension > 0.0
+    taut, largest = tension > 0.0, float(tension.max(initial=0.0))
+    use = None if load is None else largest / load
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
     stretched = np.linalg.norm(
         np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
@@ -109,7 +123,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         own_mass=rope.own_mass,
         longitudinal=_speeds_along(model, rope, segments, own, statics.stretch),
         transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
-        largest_tension=float(tension.max(initial=0.0)),
+        largest_tension=largest,
         largest_strain=_strain(rest, statics.stretch[segments]),
         slack=int(statics.slack[segments].sum()),
         short=int((size < rest * (1.0 - _SHORT)).sum()),
@@ -120,6 +134,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         parts=rope.strength < math.inf,
         doubt="" if use is None else doubt_of(rope.made_of, use),
         worst=None if use is None else worst_of(rope.made_of, use),
+        largest_push=largest_push(tension, statics.residual),
     )
 
 

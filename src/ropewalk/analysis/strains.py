@@ -9,26 +9,29 @@ import numpy as np
 
 from ropewalk.library import LibraryRope
 from ropewalk.lowering import Model
-from ropewalk.scene import Material, Rope, Springs
+from ropewalk.scene import Material, Rope, Scene, Springs
 from ropewalk.scene.curve_words import curve_words, end_words
 from ropewalk.scene.from_library import entry as rope_of
 from ropewalk.scene.from_library import origin
+from ropewalk.scene.straight_words import straight_words
 from ropewalk.statics import Statics
+from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.analysis.rope_check import RopeCheck
 
-_NOTHING = 1e-3  # [N]
+_NOTHING = 1e-9  # [1] strain: a shape that is shorter by less is so by rounding
+_NEAR_PARTING = 0.9  # [1] of the breaking load
 _STRAINED = 0.1  # [1] strain at rest that few ropes bear
 #: [1] by families that stretch more: climbing ropes hang by a tenth under 80 kg, rubber doubles its length
 _CLIMBING = 0.15
 _BEAR = {"dynamic climbing rope": _CLIMBING, "rubber": 1.0}
 
 
-def percent(strain: float) -> str:
+def strain_words(strain: float) -> str:
     """Return a strain in per cent; what rounding leaves of a rope that does not stretch is none."""
-    return f"{100.0 * strain if abs(strain) > 1e-12 else 0.0:.3g} %"
+    return percent(100.0 * strain if abs(strain) > 1e-12 else 0.0, 3)
 
 
 def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]) -> list[str]:
@@ -42,10 +45,15 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
             continue
         if not isinstance(made_of, Springs) and made_of.curve is not None:
             if rope.largest_strain > made_of.curve.end[0]:
+                share = strain_words(rope.largest_strain)
                 found.append(
-                    f"rope {rope.name!r}: at rest it is stretched by {percent(rope.largest_strain)}, beyond "
+                    f"rope {rope.name!r}: at rest it is stretched by {share}, beyond "
                     f"its curve's last point, {end_words(made_of.curve)}, where it goes on straight"
                 )
+            continue
+        if bent := straight_words(made_of, rope.largest_strain):
+            share = strain_words(rope.largest_strain)
+            found.append(f"rope {rope.name!r}: at rest it is stretched by {share}, {bent}")
             continue
         entry = _of_library(made_of)
         # What relaxes is a climbing rope from its label.
@@ -63,7 +71,7 @@ def strain_warnings(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...]
                 else "kN typed as N, or a rope too soft for its load?",
             )
         found.append(
-            f"rope {rope.name!r}: at rest it is stretched by {percent(rope.largest_strain)}, under "
+            f"rope {rope.name!r}: at rest it is stretched by {strain_words(rope.largest_strain)}, under "
             f"{prefixed(rope.largest_tension, 'N')} by its {what}: {slip}"
         )
     return found
@@ -134,9 +142,10 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
             slope = stuff.EA if stuff.curve is None else stuff.curve.slopes[0]
             if stuff.curve is not None or stuff.relaxing_EA is not None:
                 k = k * (slope / (stuff.EA + (stuff.relaxing_EA or 0.0)))
-        push = np.where(pushes, k, 0.0) * (state.rest_length[part] - size)
-        most = float(push.max(initial=0.0))
-        if rope.short or not most > max(rope.largest_tension, _NOTHING):
+        pressed = np.where(pushes, k, 0.0)
+        most = float((pressed * (state.rest_length[part] - size)).max(initial=0.0))
+        least = _NOTHING * float((pressed * state.rest_length[part]).max(initial=0.0))
+        if rope.short or not most > max(rope.largest_tension, least):
             continue
         found.append(
             f"rope {rope.name!r}: its shape starts it pressed, by up to {prefixed(most, 'N')}, where it "
@@ -144,6 +153,26 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
             "rope between. Waves of that size run at first, and largest tensions may be theirs; take "
             'run.start = "at-rest"'
         )
+    return found
+
+
+def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
+    """Return warnings of ropes that part at rest, or nearly; of guessed breaking loads the least counts."""
+    when = "as it starts" if scene.run.start == "at-rest" else "by the time it is at rest"
+    found = []
+    for rope in ropes:
+        worst = rope.utilisation if rope.worst is None else rope.worst
+        if not rope.parts or rope.utilisation is None or worst is None or worst <= _NEAR_PARTING:
+            continue
+        then, as_given = (
+            (when, rope.utilisation > 1.0)
+            if worst > 1.0
+            else ("with little more", rope.utilisation > _NEAR_PARTING)
+        )
+        then = f"it {'parts' if as_given else 'may part'} {then}"
+        doubt = f"; {rope.doubt}" if rope.doubt else ""
+        share = f"{100.0 * rope.utilisation:.4g} % of the breaking load"
+        found.append(f"rope {rope.name!r}: carries {share} at rest; {then}{doubt}")
     return found
 
 

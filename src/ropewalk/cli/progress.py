@@ -105,16 +105,21 @@ class RunProgress:
         self._held = ExitStack()
         self._clock = clock
         self._begun = clock()
+        self._compiled = 0  # pieces of machine code
         self._first = 0.0  # energy error of the first frame [J]
         self._from: float | None = None  # simulated time where this part of the run began [s]
 
     def __enter__(self) -> RunProgress:
         load_tables()
         self._held.enter_context(self._bar)
-        self._held.enter_context(
-            listening_to_compiling(lambda name: self._bar.say(f"compiling {name}"))
-        )
+        self._held.enter_context(listening_to_compiling(self._say_compiling))
         return self
+
+    def _say_compiling(self, name: str) -> None:
+        """Say what is compiled and how far that is; how many pieces there are, only the end tells."""
+        self._compiled += 1
+        spent = self._clock() - self._begun
+        self._bar.say(f"compiling {name}, piece {self._compiled}, {spent:.0f} s so far")
 
     def __call__(self, done: int, planned: int, block: Block) -> None:
         """Show that `done` of `planned` frames are done."""

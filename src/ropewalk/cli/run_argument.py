@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from ropewalk.cli.console import warn
 from ropewalk.cli.failures import Refusal
 
 if TYPE_CHECKING:
@@ -15,11 +16,23 @@ if TYPE_CHECKING:
 run_argument = click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 
 
-def open_run(folder: Path) -> Result:
-    """Open a run folder. Raises RunError when it is none, or damaged."""
+def open_run(folder: Path, *, whole: bool = False) -> Result:
+    """Open a run folder. Raises RunError when it is none, or damaged.
+
+    Of a live session it is the first part, of which is warned unless the `whole` is taken.
+    """
     from ropewalk.record.result import Result
 
-    return Result.open(folder)
+    result = Result.open(folder)
+    if result.facts.provenance.get("live") and not whole:
+        from ropewalk.live.keeper import parts
+
+        if (count := len(parts(folder))) > 1:
+            warn(
+                f"{folder}: this is the first of {count} parts of a live session; the others are runs of "
+                f"their own, {folder}/part-2 and on"
+            )
+    return result
 
 
 def is_sweep(folder: Path) -> bool:

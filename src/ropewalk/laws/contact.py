@@ -178,7 +178,8 @@ def quickest_impact(state, force, dt, obstacles, memory):
 
     Under mean forces (3 + 6 k, n) [N]. One that was open and presses in the step is stopped, were it for a
     stage alone; and one that presses as it begins and comes nearer by more than STILL diameters, if the step
-    is too long to follow how it is stopped.
+    is too long to follow how it is stopped, or if what stops it is the contact's harder part: it has more
+    mass behind it than its damper is made for.
     """
     struck, now, x, v = 0.0, state.now, state.x, state.v
     for o in range(obstacles.kind.shape[0]):
@@ -194,14 +195,24 @@ def quickest_impact(state, force, dt, obstacles, memory):
                 struck = max(struck, quick)
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
-            _, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
+            gap, nx, ny, nz, _, _, _, _, _ = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
-            fast = rise * dt < -STILL * obstacles.diameter[i] and quick * dt > STOPS
-            if fast and state.inverse_mass[i] > 0.0:
+            fast = rise * dt < -STILL * obstacles.diameter[i] and state.inverse_mass[i] > 0.0
+            if fast and (
+                quick * dt > STOPS or is_stopped_hard(obstacles, force, o, i, gap, rise, dt)
+            ):
                 struck = max(struck, quick)
     return struck
+
+
+@small
+def is_stopped_hard(obstacles, force, o, i, gap, rise, dt):
+    """Tell whether mean forces, see `quickest_impact`, press more than a contact's skin and damper could."""
+    k, c, row = obstacles.stiffness[o, i], obstacles.damping[o, i], 3 + 6 * o
+    soft = k * max(obstacles.thickness[i] - gap - rise * dt, 0.0) - c * rise
+    return force[row, i] ** 2 + force[row + 1, i] ** 2 + force[row + 2, i] ** 2 > soft * soft
 
 
 @kernel

@@ -11,7 +11,6 @@ from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import small
 
 SKIN = 0.005  # [1] depth over the diameter from which contacts with obstacles get stiffer
-HARD = 0.3  # [1] damping ratio of contacts that are pressed farther
 
 
 @small
@@ -41,13 +40,13 @@ def squeezed(obstacles, o, i, depth):
 def along_surface(obstacles, o, i, depth):
     """Return stiffness [N/m] and damping [N s/m] of the springs along a surface where one is pressed so deep.
 
-    The stiffness is force over depth, the damping no less than HARD of what is critical with that.
+    The stiffness is force over depth, the damping no less than `firmness` of what is critical with that.
     """
     k, c = obstacles.stiffness[o, i], obstacles.damping[o, i]
     if obstacles.hard[o, i] == 0.0 or depth <= SKIN * obstacles.diameter[i]:
         return k, c
     stiff = squeezed(obstacles, o, i, depth)[0] / depth
-    return stiff, c * max(1.0, HARD * math.sqrt(stiff / k))
+    return stiff, c * max(1.0, obstacles.firmness[i] * math.sqrt(stiff / k))
 
 
 def depth_under(obstacles: Any, force: float) -> Floats:

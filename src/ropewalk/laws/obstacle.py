@@ -6,6 +6,7 @@ force at one of its nodes in a step of 1/60 s, whatever the run's own steps are,
 but no more than the whole rope's inertia in that time, nor than its segments are (those lighter than that
 step allows for, than k0). Round bodies are stiffer where more hangs on a rope than that holds: a tension of
 all its weight, loads and given forces turns by h/R at each node and presses it in by FIRM of its diameter.
+The damper is that of a node on its own; in rigid ropes see `striking`.
 What is pressed in farther than the skin of a contact meets as much as the segments' own stiffness, see
 `hardening`: what pulls a line taut is not known beforehand.
 """
@@ -31,14 +32,12 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
 from ropewalk.laws.contact_frame import DAMP, GRIPS, STIFF
 from ropewalk.laws.contact_tangent import contact_tangent
-from ropewalk.laws.hardening import HARD
 from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle_places import depths
 from ropewalk.laws.obstacle_rows import (
     KINDS,
     axle_of,
     half_thickness,
-    hub_of,
     place_of,
     radius_round,
     size_rows,
@@ -46,13 +45,13 @@ from ropewalk.laws.obstacle_rows import (
     sweeps,
     turning_of,
     wheel_columns,
+    wherever,
 )
 from ropewalk.laws.obstacle_way import find_pass, find_sweep, gone, meet
 from ropewalk.laws.standstill import standstills
+from ropewalk.laws.striking import firmness, striking
 from ropewalk.laws.wheel_rows import RATE, ROWS, WIDTH
-from ropewalk.motions.registry import FIXED
 from ropewalk.motions.rows import Motions, jumps, motion_rows
-from ropewalk.motions.whereabouts import place_now
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -94,6 +93,7 @@ class Obstacles(NamedTuple):
     damping: Floats  # (k, n) [N s/m]
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
     hard: Floats  # (k, n) what is added to the stiffness where one is pressed deep [N/m], see `hardening`
+    firmness: Floats  # (n,) damping ratio of one pressed deep, for the node as it strikes [1]
     diameter: Floats  # (n,) of the rope, whether the distance counts from its surface or not [m]
     # Those that turn freely, wheels, have a row of their own; w of them.
     wheel: Ints  # (k,) that row, -1: it does not
@@ -138,28 +138,22 @@ def lower(
     bodies = tuple(obstacles or ())
     places = [place_of(body) for body in bodies]
     count, n = len(bodies), layout.nodes
-    own, mass = np.zeros(n), np.zeros(n)
-    thickness, diameter, most = np.zeros(n), np.ones(n), np.zeros(n)
-    firm = np.zeros((count, n))
-    each = zip(ropes, layout.ropes, whole, strict=True) if bodies else ()
-    for rope, span, all_mass in each:
+    own, mass, struck, thickness, most = np.zeros((5, n))
+    diameter, firm, firmly = np.ones(n), np.zeros((count, n)), np.ones(n)
+    for rope, span, all_mass in zip(ropes, layout.ropes, whole, strict=True) if bodies else ():
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
         stiff, weight = node_stiffness(rope, all_mass)
         own[nodes], mass[nodes] = stiff, weight
         here = slice(span.start, span.end + 1)
         own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
+        struck[nodes], struck[here] = weight, striking(rope, mass[here])
+        firmly[nodes] = firmness(rope, struck[nodes], all_mass)
         most[nodes], most[here] = _most(rope, weight), [_most(rope, one) for one in mass[here]]
         thickness[nodes], diameter[nodes] = radius_of(rope), rope.diameter
         for row, body in enumerate(bodies):
             firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
-    stiffness, hard = np.empty((count, n)), np.zeros((count, n))
-    for row, body in enumerate(bodies):
-        asked = body.compliance
-        stiffness[row] = np.maximum(own, firm[row]) if asked is None else 1.0 / asked
-        if asked is None:
-            finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
-            hard[row] = np.maximum(finite - stiffness[row], 0.0)
-    centers, hubs, motion = _wherever(bodies, places)
+    stiffness, hard = _stiffness(bodies, own, firm, most)
+    centers, hubs, motion = wherever(bodies, places)
     wheels = wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64))
     levers = [w >= 0 and wheels["weight"][w].any() for w in wheels["wheel"]]
     return Obstacles(
@@ -177,25 +171,27 @@ def lower(
         motion=motion,
         turns=motion_rows([turning_of(body) for body in bodies], np.zeros((count, 3))),
         stiffness=stiffness,
-        damping=2.0 * DAMPING * np.sqrt(stiffness * mass),
+        damping=2.0 * DAMPING * np.sqrt(stiffness * struck),
         thickness=thickness,
         hard=hard,
+        firmness=firmly,
         diameter=diameter,
         **wheels,
     )
 
 
-def _wherever(bodies: Sequence[Obstacle], places: Sequence[Any]) -> tuple[Floats, Floats, Motions]:
-    """Return the middles and hubs of bodies at time zero, (k, 3) each [m], and how they move."""
-    count = len(bodies)
-    centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
-    hubs = np.array([hub_of(body) for body in bodies], dtype=np.float64).reshape(count, 3)
-    motion = motion_rows([body.motion for body in bodies], centers)
-    for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
-        there = np.array(place_now(motion, moved, 0.0)[:3])
-        hubs[moved] += there - centers[moved]
-        centers[moved] = there
-    return centers, hubs, motion
+def _stiffness(
+    bodies: Sequence[Obstacle], own: Floats, firm: Floats, most: Floats
+) -> tuple[Floats, Floats]:
+    """Return how stiff contacts are [N/m], and by how much more where they are pressed deep, (k, n) each."""
+    stiffness, hard = np.maximum(own, firm), np.zeros_like(firm)
+    for row, body in enumerate(bodies):
+        if body.compliance is None:
+            finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
+            hard[row] = np.maximum(finite - stiffness[row], 0.0)
+        else:
+            stiffness[row] = 1.0 / body.compliance
+    return stiffness, hard
 
 
 def radius_of(rope: Rope) -> float:
@@ -354,7 +350,7 @@ def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:
     """Return a chain all of whose nodes are pressed to the stiffest obstacle, or to three, as in a corner."""
     most, k, c = min(len(obstacles.kind), 3), obstacles.stiffness, obstacles.damping
     stiff = k + obstacles.hard
-    damped = c * np.maximum(1.0, HARD * np.sqrt(stiff / k))
+    damped = c * np.maximum(1.0, obstacles.firmness * np.sqrt(stiff / k))
     return {
         "pressed to obstacles": chain._replace(
             node_stiffness=chain.node_stiffness + most * stiff.max(axis=0),

@@ -20,6 +20,9 @@ from ropewalk.laws.obstacle_shapes import (
     TORUS,
 )
 from ropewalk.laws.triangle_rows import mesh_row
+from ropewalk.motions.registry import FIXED
+from ropewalk.motions.rows import Motions, motion_rows
+from ropewalk.motions.whereabouts import place_now
 
 KINDS = {
     "plane": PLANE,
@@ -35,6 +38,19 @@ KINDS = {
 
 
 _ROUND = 1e-9  # [1] by which an axle may be off the axis of what is round
+
+
+def wherever(bodies: Sequence[Any], places: Sequence[Any]) -> tuple[Floats, Floats, Motions]:
+    """Return the middles and hubs of bodies at time zero, (k, 3) each [m], and how they move."""
+    count = len(bodies)
+    centers = np.array([place[0] for place in places], dtype=np.float64).reshape(count, 3)
+    hubs = np.array([hub_of(body) for body in bodies], dtype=np.float64).reshape(count, 3)
+    motion = motion_rows([body.motion for body in bodies], centers)
+    for moved in np.flatnonzero(motion.kind != FIXED):  # a table has places of its own
+        there = np.array(place_now(motion, moved, 0.0)[:3])
+        hubs[moved] += there - centers[moved]
+        centers[moved] = there
+    return centers, hubs, motion
 
 
 def wheel_columns(bodies: Sequence[Any], gravity: Floats) -> dict[str, Any]:

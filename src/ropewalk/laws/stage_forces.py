@@ -41,17 +41,19 @@ def pull(x, tension, rest_length, alive, direction, stretch, over, elastic):
 
 
 @kernel
-def decide(stretch, tension, over, soft, weight, floor, carries, compliance, misfit):
+def decide(stretch, tension, over, soft, weight, floor, least, carries, compliance, misfit):
     """Decide which segments carry and write g [m] of those that may not.
 
     `soft` is 1/k, `weight` the inertial stiffness whose inverse is e' [N/m]. A segment without direction
-    (its ends coincide) or between ropes carries nothing.
+    (its ends coincide) or between ropes carries nothing. `least` is that of e' - 1/k: with 0, where inertia
+    is the stiffer, as in short steps, the length alone decides. Else a tension that is a little off lets go
+    of what is taut; springs, whose equation is straight, come back at once, laws may not.
     """
     for j in range(tension.shape[0]):
         slack = 1.0 / weight[j]
         on = over[j] > 0.0
         if floor[j] == 0.0:
-            on = on and (slack - soft[j]) * tension[j] + stretch[j] > 0.0
+            on = on and max(slack - soft[j], least) * tension[j] + stretch[j] > 0.0
         carries[j] = 1.0 if on else 0.0
         compliance[j] = soft[j] if on else slack
         misfit[j] = carries[j] * stretch[j] - compliance[j] * tension[j]
@@ -66,10 +68,10 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
     lengths, k = state.rest_length, state.stiffness
     if has_elastic_laws(system):
         hold_secants(tension, lengths, k, system.elastic, work)
-        decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
+        decide(stretch, tension, over, work.soft, work.weight, floor, 0.0, carries, e, g)
         hold_tangents(k, system.elastic, work, carries, e)
     else:
-        decide(stretch, tension, over, work.soft, work.weight, floor, carries, e, g)
+        decide(stretch, tension, over, work.soft, work.weight, floor, -math.inf, carries, e, g)
     if limits(system):
         weights, laws, bounds = state.inverse_mass, system.elastic, system.limiter
         bound_segments(bounds, laws, k, tension, weights, lengths, floor, work, saddle)

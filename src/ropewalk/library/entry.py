@@ -31,6 +31,7 @@ UNITS = {
     "relaxation_time": "s",
     "EI": "N m^2",
     "breaking_load": "N",
+    "straight_to": "1",
     "friction_steel": "1",
     "friction_rock": "1",
     "friction_itself": "1",
@@ -142,6 +143,11 @@ class LibraryRope:
     def breaking_load(self) -> float | None:
         """Breaking load of new straight rope [N]; knots, bends and wear take from it."""
         return self._value("breaking_load")
+
+    @property
+    def straight_to(self) -> float | None:
+        """Strain up to which `EA` is right, where that is less than at the break [1]."""
+        return self._value("straight_to")
 
     @property
     def friction_steel(self) -> float | None:
@@ -278,6 +284,10 @@ class LibraryRope:
 
     def __repr__(self) -> str:
         d, m = 1e3 * self.diameter, self.mass_per_length
-        about = "~" if "breaking_load" in self.guesses else ""
-        load = f", breaks at {about}{self.breaking_load:.4g} N" if self.breaking_load else ""
-        return f"{self.name}: {self.title}, {d:.4g} mm, {m:.4g} kg/m, EA {self.EA:.4g} N{load}."
+        wide, heavy, hard, strong = (
+            "~" if key in self.guesses else ""
+            for key in ("diameter", "mass_per_length", "EA", "breaking_load")
+        )
+        load = f", breaks at {strong}{self.breaking_load:.4g} N" if self.breaking_load else ""
+        what = f"{self.name}: {self.title}, {wide}{d:.4g} mm, {heavy}{m:.4g} kg/m"
+        return f"{what}, EA {hard}{self.EA:.4g} N{load}."

@@ -119,6 +119,8 @@ def make_app(live: Live) -> Starlette:
             )
         except NothingToExport as error:
             return PlainTextResponse(f"{error}\n", 404)
+        except TimeoutError:  # it is compiling
+            return PlainTextResponse("the simulation is busy; try again\n", 503)
 
     async def socket(websocket: WebSocket) -> None:
         await serve_socket(websocket, live)

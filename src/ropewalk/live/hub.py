@@ -33,7 +33,9 @@ class Mailbox:
         self.admitted = False  # not before it is told everything: news make no sense to it
 
     def put_text(self, kind: str, text: str) -> None:
-        """Take a message."""
+        """Take a message; none once there are too many, as the page is left then."""
+        if self.overflown:
+            return
         if kind in _STATES:
             self._texts.pop(kind, None)
             self._texts[kind] = text

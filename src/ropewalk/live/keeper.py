@@ -43,6 +43,7 @@ BYTES_PER_SECOND = (
 CHUNK_FRAMES = 120
 MOST_PARTS = 1000
 _JUMPS = frozenset(["reset", "scene", "back", "undo", "remedy"])
+_LAST = 600.0  # [s] for what is left to be written at the end, of a machine that is very slow
 
 
 @dataclass
@@ -245,7 +246,7 @@ class Keeper:
         return self.folder
 
     def close(self) -> None:
-        """End the folder: everything is on disk."""
+        """End the folder: everything is on disk, or `failure` says why not."""
         count, when = self.session.count, self.session.time
 
         def job() -> None:
@@ -254,7 +255,11 @@ class Keeper:
 
         self._put(job)
         self._jobs.put(None)
-        self._thread.join(60.0)
+        self._thread.join(_LAST)
+        if self._thread.is_alive():
+            self.failure = (
+                f"{self.folder}: not all could be written in {_LAST:.0f} s; its end is missing"
+            )
         self._held.close()
 
 

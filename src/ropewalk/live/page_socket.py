@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import time
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 from starlette.websockets import WebSocket, WebSocketDisconnect
@@ -76,7 +77,11 @@ async def _send(socket: WebSocket, box: Mailbox) -> None:
                 if frame is not None:
                     await socket.send_bytes(frame)
         await socket.close(1013, "too far behind")
-    except (WebSocketDisconnect, RuntimeError, OSError, TimeoutError):
+    except TimeoutError:  # it takes nothing any more: without this it stood open, and still
+        with suppress(Exception):
+            async with asyncio.timeout(1.0):
+                await socket.close(1013, "too far behind")
+    except (WebSocketDisconnect, RuntimeError, OSError):
         return
 
 

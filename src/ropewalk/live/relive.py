@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from ropewalk.live.commands import parse
+from ropewalk.live.keeper import parts
 from ropewalk.live.session import Break, Session
 from ropewalk.record.errors import RunError
 from ropewalk.record.event_log import read_events
 from ropewalk.record.folder import read_scene
 from ropewalk.record.place import EVENTS as NAME
+from ropewalk.record.result import Result
 from ropewalk.scene import SceneError
 
 
@@ -27,9 +30,20 @@ def relive(folder: Path) -> Session:
         session = Session(scene, begun[0].get("preset"))
         for event in events:
             _replay(session, event)
+        if session.broken is None and events[-1].get("event") != "ended":
+            with suppress(RunError):  # of frames that are damaged: as far as the log goes
+                _go_on(session, folder)
     except (SceneError, KeyError, TypeError) as error:
         raise RunError(folder / NAME, f"cannot be played again: {error}") from None
     return session
+
+
+def _go_on(session: Session, folder: Path) -> None:
+    """Go on to the last frame that was kept: a session that was killed has none of its own end in its log."""
+    until = float(Result.open(parts(folder)[-1]).time[-1])
+    steps = round((until - session.time) / session.main.dt)
+    if steps > 0:
+        session.advance(steps)
 
 
 def _replay(session: Session, event: dict[str, Any]) -> None:

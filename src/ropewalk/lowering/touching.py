@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,12 +11,13 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.closing import closing
 from ropewalk.laws.contact import on_polygon, push_on, turn_towards
-from ropewalk.laws.contact_frame import surface_at
+from ropewalk.laws.contact_frame import find_gaps, surface_at
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.laws.obstacle_pose import rates_of
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
+_PARALLEL = 1e-9  # [1] least of A's eigenvalues over the largest, below which surfaces are parallel
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
 _Row = tuple[int, int, Floats, float, float, Floats, float]  # in the order that `_shared` reads
@@ -63,40 +65,62 @@ def stretches(contacts: Contacts, rows: Ints) -> list[Ints]:
     return list(np.split(rows, np.flatnonzero(np.diff(contacts.node[rows]) > 2) + 1))
 
 
-def turns(places: Floats) -> Floats:
-    """Return the angle by which a line through places (n, 3) turns at every inner one [rad], (n - 2,)."""
-    d = np.diff(places, axis=0)
-    across = np.linalg.norm(np.cross(d[:-1], d[1:]), axis=1)
-    found: Floats = np.arctan2(across, (d[:-1] * d[1:]).sum(axis=1))
-    return found
-
-
 def contacts_at(
-    table: Obstacles, x: Floats, v: Floats, force: Floats, stiffness: Floats, t: float = 0.0
+    table: Obstacles,
+    x: Floats,
+    v: Floats,
+    force: Floats,
+    stiffness: Floats,
+    t: float = 0.0,
+    only: Sequence[int] | None = None,
 ) -> Contacts:
     """Return the contacts of nodes at places `x` with velocities `v`, (3, n) [m, m/s], at time `t` [s].
 
     `force` (3, n) [N] is that of all obstacles on every node, `stiffness` (s,) that of the segments [N/m].
-    Where a node touches several, each gets of the friction what its own could carry at most.
+    Where a node touches several, each has friction along its own surface, see `_split`. With `only` some
+    obstacles, those of nodes that may touch one of them.
     """
     rows: list[_Row] = []
-    now = [np.array(surface_at(table, o, t)) for o in range(len(table.kind))]
-    for i in map(int, np.flatnonzero(np.any(force != 0.0, axis=0))):
-        for o in range(len(table.kind)):
-            gap, *direction, ax, ay, az, ca, cb = surface_near(table, o, x[:, i], t)
-            place, normal = x[:, i] - now[o][:3] - table.hub[o], np.array(direction)
-            turning = np.array(rates_of(table, o, now[o][7]))
-            speed = v[:, i] - now[o][3:6] - np.cross(turning[1], place)
-            room, rise = gap - table.thickness[i], float(normal @ speed)
-            rise = closing(rise, room, tuple(direction), (ax, ay, az), ca, cb, tuple(speed))[0]
-            push = push_on(table, o, i, gap, rise)
-            if not push > 0.0:
-                continue
-            turn = turn_towards(x, i, *direction, stiffness)
-            friction = on_polygon(table.friction[o], turn)
-            over = speed - np.cross(turning[0], place)
-            rows.append((o, i, normal, push, friction, over - normal * (normal @ over), turn))
+    nodes = np.flatnonzero(np.any(force != 0.0, axis=0))
+    speed, over, near = _relative(table, nodes, x, v, t)
+    wanted = near if only is None else near & near[list(only)].any(axis=0)
+    for j, o in np.argwhere(wanted.T).tolist():
+        i = int(nodes[j])
+        gap, *direction, ax, ay, az, ca, cb = surface_near(table, o, x[:, i], t)
+        normal = np.array(direction)
+        room, rise = gap - table.thickness[i], float(normal @ speed[o, j])
+        rise = closing(rise, room, tuple(direction), (ax, ay, az), ca, cb, tuple(speed[o, j]))[0]
+        push = push_on(table, o, i, gap, rise)
+        if not push > 0.0:
+            continue
+        turn = turn_towards(x, i, *direction, stiffness)
+        friction = on_polygon(table.friction[o], turn)
+        along = over[o, j] - normal * (normal @ over[o, j])
+        rows.append((o, i, normal, push, friction, along, turn))
     return _shared(rows, force)
+
+
+def _relative(
+    table: Obstacles, nodes: Ints, x: Floats, v: Floats, t: float
+) -> tuple[Floats, Floats, NDArray[np.bool_]]:
+    """Return velocities of m nodes beside obstacles, (k, m, 3) twice [m/s], and which may touch, (k, m).
+
+    The first is that which closes a gap, the second that over the surface. A damper takes hold before the
+    surface does, see `closing`: no farther out than the velocity over its stiffness lets it.
+    """
+    count, places, velocities = len(table.kind), x[:, nodes].T, v[:, nodes].T
+    speed, over = np.empty((2, count, len(nodes), 3))
+    for o in range(count):
+        now = np.array(surface_at(table, o, t))
+        turning = np.array(rates_of(table, o, now[7]))
+        arm = places - now[:3] - table.hub[o]
+        speed[o] = velocities - now[3:6] - np.cross(turning[1], arm)
+        over[o] = speed[o] - np.cross(turning[0], arm)
+    gaps = np.empty((count, len(nodes)))
+    find_gaps(np.ascontiguousarray(places.T), table, t, gaps)
+    lead = table.damping[:, nodes] / table.stiffness[:, nodes] * np.linalg.norm(speed, axis=2)
+    room = gaps - table.thickness[nodes]
+    return speed, over, room <= (1.0 + 1e-9) * lead
 
 
 def at_rates(table: Obstacles, wheels: Floats, t: float) -> Obstacles:
@@ -124,6 +148,9 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
     share = np.divide(most, able[node], out=np.zeros(count), where=able[node] > 0.0)
     rub = share[:, None] * rest[node]
     rub -= (rub * normal).sum(axis=1)[:, None] * normal
+    for i in np.flatnonzero(np.bincount(node[most > 0.0], minlength=1) > 1):
+        here = np.flatnonzero(node == i)
+        rub[here] = _split(normal[here], most[here], rest[i])
     return Contacts(
         obstacle=np.array([row[0] for row in rows], np.int64),
         node=node,
@@ -134,3 +161,17 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
         friction=friction,
         slip=np.array([row[5] for row in rows]).reshape(count, 3),
     )
+
+
+def _split(normal: Floats, most: Floats, rest: Floats) -> Floats:
+    """Return the friction of c contacts at one node, (c, 3) [N], each along its surface, `rest` (3,) in all.
+
+    Of all that add up to it those with the least sum of |R_t|^2 / (mu R_n): with l from A l = rest, A the sum
+    of mu R_n P, P = I - n n^T, they are mu R_n P l. Across a groove there is but one, along it each has what
+    its own could carry at most.
+    """
+    along = most[:, None, None] * (np.eye(3) - normal[:, :, None] * normal[:, None, :])
+    found: Floats = along @ (
+        np.linalg.pinv(along.sum(axis=0), rcond=_PARALLEL, hermitian=True) @ rest
+    )
+    return found

@@ -44,9 +44,10 @@ from ropewalk.plots.style import (
     set_title,
     styled,
 )
-from ropewalk.plots.tensions import colour_scale, line_map, reach
+from ropewalk.plots.tensions import colour_scale, line_map, open_ends, reach
 from ropewalk.plots.torn import BROKEN, broken_note
 from ropewalk.record.beyond import until_torn
+from ropewalk.record.extremes import extremes
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -91,7 +92,7 @@ def movie(
     times = movie_times(result, fps, speed, seen.good)
     past = _past(result, fps)
     count = len(times) + len(past)
-    painter = _Painter(result, seen, size, speed)
+    painter = _Painter(result, seen, size, speed, decimals(speed / fps))
     part = path.with_name(f".{path.name}.part")
     writer: GifWriter | Mp4Writer
     try:
@@ -188,9 +189,16 @@ def _moments(result: Result, times: Floats, good: int) -> Iterator[_Moment]:
 class _Painter:
     """Draws pictures: what stays is drawn once, what moves is drawn over it."""
 
-    def __init__(self, result: Result, seen: Backdrop, size: tuple[int, int], speed: float) -> None:
-        self._result, self._size = result, size
-        self._scale, name = _tension_scale(result, seen.good)
+    def __init__(
+        self,
+        result: Result,
+        seen: Backdrop,
+        size: tuple[int, int],
+        speed: float,
+        places: int,
+    ) -> None:
+        self._result, self._size, self._places = result, size, places
+        self._scale, name, extend = _tension_scale(result, seen.good)
         self.colours = line_map(name).with_extremes(bad=BROKEN)
         seen = self._seen = replace(seen, box=_filled(seen.box, size))
         figure = Figure((size[0] / _DPI, size[1] / _DPI), dpi=_DPI, layout="constrained")
@@ -202,7 +210,7 @@ class _Painter:
         draw_still(axes, seen)
         self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=LINE)
         axes.add_collection(self._rope)
-        bar = figure.colorbar(self._rope, ax=axes, pad=0.02, shrink=0.9)
+        bar = figure.colorbar(self._rope, ax=axes, pad=0.02, shrink=0.9, extend=extend)
         scaled_axis(bar.ax, result.tension_name, "N", reach(self._scale))
         self._joints = axes.plot([], [], **JOINT)[0]  # type: ignore[arg-type]
         self._tied = list(result.layout.tied_nodes)
@@ -262,7 +270,8 @@ class _Painter:
         self._joints.set_data(points[self._tied, 0], points[self._tied, 1])
         self._loads.set_data(points[self._load_nodes, 0], points[self._load_nodes, 1])
         self._forces.move(points)
-        stamp = f"{moment.time:.6g} s (broken)" if moment.broken else f"{moment.time:.2f} s"
+        sound = f"{moment.time:.{self._places}f} s"
+        stamp = f"{moment.time:.6g} s (broken)" if moment.broken else sound
         self._stamp.set_text(f"t = {stamp}")
         self._canvas.restore_region(self._still)  # type: ignore[no-untyped-call]
         for artist in (*bodies, *self._moving):
@@ -272,6 +281,11 @@ class _Painter:
         pixels = self._canvas.buffer_rgba()  # type: ignore[no-untyped-call]
         picture = Image.frombuffer("RGBA", self._size, pixels)
         return picture.convert("RGB")
+
+
+def decimals(step: float) -> int:
+    """Return how many decimals tell times apart that are a step apart [s], two at least."""
+    return max(2, math.ceil(-math.log10(step)))
 
 
 def _filled(box: Box, size: tuple[int, int]) -> Box:
@@ -284,13 +298,15 @@ def _filled(box: Box, size: tuple[int, int]) -> Box:
     return Box(x - wide / 2, x + wide / 2, y - tall / 2, y + tall / 2)
 
 
-def _tension_scale(result: Result, good: int) -> tuple[Normalize, str]:
-    """Scale and colour map from frames spread over the good part."""
+def _tension_scale(result: Result, good: int) -> tuple[Normalize, str, str]:
+    """Scale and colour map from frames spread over the good part, and the bar's open ends for all of it."""
     frames = np.unique(np.linspace(0, good - 1, min(good, _SAMPLED)).round().astype(int))
     live = live_segments(result, -math.inf)
     sample = [result.read("tension", int(f), int(f) + 1)[:, live] for f in frames]
     scale, name, _ = colour_scale(sample)
-    return scale, name
+    found = extremes(result)
+    ends = (found[f"{which} tension"].value for which in ("least", "greatest"))
+    return scale, name, open_ends(scale, *ends)
 
 
 def _palette(colours: matplotlib.colors.Colormap) -> Image.Image:

@@ -24,6 +24,7 @@ _LOOKS = 400  # frames from which motion is judged
 _SIDEWAYS = (
     1.25  # [1] motion across the plane over that in it, from which the plane is turned to it
 )
+_DEEP = 0.3  # [1] reach across the plane over that in it, from which it is told
 _NOTHING = 1e-6  # [1] of the ropes' extent: they do not move
 _CHUNK = 4_000_000  # coordinates looked at in one go
 
@@ -102,7 +103,7 @@ def sight(result: Result, plane: str | None = None, *, still: bool = False) -> S
 
 
 def sight_notes(result: Result, view: Sight) -> list[str]:
-    """Say how far the ropes reach along the line of sight, and move, where they do that more than in view."""
+    """Say how far the ropes reach and move along the line of sight, where it is much beside what is seen."""
     ahead = np.cross(view.across, view.up)
     space = extent(result)
     depth, deep = abs(float(space.inside @ ahead)), float(np.abs(ahead) @ space.moves)
@@ -113,6 +114,8 @@ def sight_notes(result: Result, view: Sight) -> list[str]:
         return [f"{plane}, in which the ropes move; across it they reach {depth:.3g} m."]
     if deep > 0.5 * seen + _NOTHING * space.inside.max():
         return [f"{plane}; across it the ropes move, too, by {deep:.3g} m on average."]
+    if depth > _DEEP * max(wide, float(space.inside @ np.abs(view.up))):
+        return [f"{plane}; across it the ropes reach {depth:.3g} m."]
     return []
 
 

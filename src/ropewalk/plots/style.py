@@ -213,7 +213,8 @@ def scaled_axis(axes: Axes, what: str, unit: str, largest: float) -> None:
         axes.set_ylabel(f"{what} [{unit}]")
         axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.1e}"))
         return
-    factor, prefix = prefix_of(largest)
+    bare = unit == "1" or unit.startswith("kg")  # take no prefix
+    factor, prefix = (1.0, "") if bare else prefix_of(largest)
     axes.set_ylabel(f"{what} [{prefix}{unit}]")
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: _plain(value / factor)))

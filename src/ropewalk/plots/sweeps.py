@@ -110,6 +110,13 @@ def _title(figure: Figure, data: xr.Dataset, name: str) -> None:
     )
 
 
+def _short(words: str) -> str:
+    """Return a long name without its end, as in ", over all steps"; commas of places in it stay."""
+    for end in (", over", ", at rest"):
+        words = words.rpartition(end)[0] or words
+    return words
+
+
 def _label(array: xr.DataArray) -> str:
     unit = array.attrs.get("units", "")
     words = array.attrs.get("long_name", array.name)
@@ -165,9 +172,7 @@ def _lines(data: xr.Dataset, name: str, parameter: str) -> Figure:
         few = len(np.unique(x)) <= 60 or labels
         axes.plot(x[order], y[order], marker="o" if few else "", label=label, **style)
     _mark_broken(axes, x[_is_broken(data)])
-    scaled_axis(
-        axes, data[name].attrs["long_name"].partition(",")[0], data[name].attrs["units"], largest
-    )
+    scaled_axis(axes, _short(data[name].attrs["long_name"]), data[name].attrs["units"], largest)
     _axis(axes, data[parameter], x)
     if labels:
         axes.set_xticks(range(len(labels)), labels)
@@ -209,7 +214,7 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         _axis(axes, data[parameters[1]], y, "y")
         edges = _edges(x, axes.get_xscale()), _edges(y, axes.get_yscale())
         drawn = axes.pcolormesh(*edges, values.T, cmap="viridis")
-        words = data[name].attrs["long_name"].partition(",")[0]
+        words = _short(data[name].attrs["long_name"])
         figure.colorbar(drawn, ax=axes, label=f"{words} [{data[name].attrs['units']}]")
         for i, j in np.argwhere(broken):
             axes.plot(x[i], y[j], marker="x", color=COLOURS[1])
@@ -273,7 +278,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
     good = np.isfinite(y)
     step = max(1, int(good.sum()) // _MOST_POINTS)
     xs = {p: _numbers(table[p]) for p in parameters}
-    words = data[name].attrs["long_name"].partition(",")[0]
+    words = _short(data[name].attrs["long_name"])
     strongest = max(parameters, key=lambda p: _rank_correlation(xs[p][0][good], y[good]))
     for place, (axes, parameter) in enumerate(zip(panels.flat, shown, strict=False)):
         x, labels = xs[parameter]
@@ -323,8 +328,13 @@ def _rank_correlation(x: Floats, y: Floats) -> float:
     """Return the size of Spearman's rank correlation [1]."""
     if len(x) < 3 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
         return 0.0
-    ranks = np.argsort(np.argsort(np.stack([x, y]), axis=1), axis=1)
-    return abs(float(np.asarray(np.corrcoef(ranks))[0, 1]))
+    return abs(float(np.corrcoef(_ranks(x), _ranks(y))[0, 1]))
+
+
+def _ranks(values: Floats) -> Floats:
+    """Return the place of every value among all, of equal ones the mean."""
+    _, place, count = np.unique(values, return_inverse=True, return_counts=True)
+    return np.asarray((np.cumsum(count) - 0.5 * (count + 1))[place])
 
 
 def _table(data: xr.Dataset, parameters: list[str]) -> xr.Dataset:
@@ -357,9 +367,7 @@ def _band(data: xr.Dataset, name: str) -> Figure:
         axes.fill_between(x, low, high, color=style["color"], alpha=0.25, linewidth=0.0)
         axes.plot(x, middle, label=label, **style)
         largest = max(largest, float(np.nanmax(np.abs(high))))
-    scaled_axis(
-        axes, data[name].attrs["long_name"].partition(",")[0], data[name].attrs["units"], largest
-    )
+    scaled_axis(axes, _short(data[name].attrs["long_name"]), data[name].attrs["units"], largest)
     axes.set_xlabel("time [s]" if time == "time" else "frame")
     if len(parts) > 1:
         axes.legend()

@@ -178,10 +178,15 @@ def colour_scale(values: list[Floats]) -> tuple[Normalize, str, str]:
         if high - low <= 1e-9 * abs(high):
             low, high = (0.0, float(high)) if high > 0.0 else (0.0, 1.0)
         scale, colours = Normalize(low, float(high)), "viridis"
+    return scale, colours, open_ends(scale, least, most)
+
+
+def open_ends(scale: Normalize, least: float, most: float) -> str:
+    """Return which ends of a colour bar are open, as matplotlib names them, for all that lies beyond it."""
     slack = 0.01 * (scale.vmax - scale.vmin)  # type: ignore[operator]
     beyond = (least < scale.vmin - slack, most > scale.vmax + slack)  # type: ignore[operator]
     names = {(False, False): "neither", (True, False): "min", (False, True): "max"}
-    return scale, colours, names.get(beyond, "both")
+    return names.get(beyond, "both")
 
 
 def reach(scale: Normalize) -> float:

@@ -21,6 +21,7 @@ from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.methods.recording import CONSERVATIVE
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Material, Scene
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Plan
@@ -67,6 +68,12 @@ def balance_residual(
     return residual
 
 
+_OF_HANDS = (
+    "of a live session: what kicks, throws, loads and changed constants put in or took, if there were any, "
+    "is in it; the rest is of steps that are too long for the motion"
+)
+
+
 def energy_note(result: Result, error: Floats, share: float) -> str:
     """Say by how much the energy of an automatic run is wrong, where it is by too much; else "".
 
@@ -81,6 +88,8 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     """
     scene, plan = result.scene, result.plan
     error = error[np.isfinite(error)]
+    if result.facts.provenance.get("live"):
+        return _OF_HANDS if share > TURNED else ""
     automatic = "auto" in (scene.run.method, scene.run.time_step)
     if not automatic or plan.method not in METHODS or not error.size:
         return ""
@@ -99,8 +108,8 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
             f"tolerance = {0.1 * plan.tolerance:.3g}",
         )
     return (
-        f"{abs(worst):.3g} J, {share:.3g} % of the energy turned over, are in no law's work: some of the "
-        f"motion is too fast for {plan.method}'s {steps}. Do not trust works, nor "
+        f"{abs(worst):.3g} J, {percent(share, 3)} of the energy turned over, are in no law's work: some of "
+        f"the motion is too fast for {plan.method}'s {steps}. Do not trust works, nor "
         f"places after it; take {remedy}"
     )
 
@@ -108,9 +117,9 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
 def _made_up(plan: Plan, worst: float, scale: float) -> str:
     did = "made up" if worst > 0.0 else "lost"
     return (
-        f"{plan.method} {did} {abs(worst):.3g} J, {100.0 * abs(worst) / scale:.2g} % of weight times length, "
-        f"in a rope without friction: take time_step = {0.5 * plan.dt:.3g} s or less, method = adaptive, or "
-        "give the rope the friction that it has"
+        f"{plan.method} {did} {abs(worst):.3g} J, {percent(100.0 * abs(worst) / scale)} of weight times "
+        f"length, in a rope without friction: take time_step = {0.5 * plan.dt:.3g} s or less, "
+        "method = adaptive, or give the rope the friction that it has"
     )
 
 

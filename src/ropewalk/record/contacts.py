@@ -92,7 +92,7 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
     nodes = np.full((count, 2), -1, np.int64)
     angle, before, after = np.zeros((3, count))
     tension = result.tension
-    for frame, contacts in each_frame(result, range(count)):
+    for frame, contacts in each_frame(result, range(count), [o]):
         own = (contacts.node >= span.start) & (contacts.node <= span.end)
         touching = np.flatnonzero(own & (contacts.obstacle == o))
         if not touching.size:
@@ -113,8 +113,13 @@ def _lies(
     return first - span.start, last - span.start, angle, before, after
 
 
-def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Contacts]]:
-    """Return the frames of those given in which something touches, with their contacts."""
+def each_frame(
+    result: Result, frames: Iterable[int], only: Sequence[int] | None = None
+) -> Iterator[tuple[int, Contacts]]:
+    """Return the frames of those given in which something touches, with their contacts.
+
+    With `only` some obstacles, the contacts of nodes that may touch one of them.
+    """
     if "contact_force" not in result.source.names:
         return
     model = model_of(result)
@@ -128,7 +133,7 @@ def each_frame(result: Result, frames: Iterable[int]) -> Iterator[tuple[int, Con
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
             then = table if turning is None else at_rates(table, turning[frame], t)
-            contacts = contacts_at(then, now[0], now[1], now[2], stiffness, t)
+            contacts = contacts_at(then, now[0], now[1], now[2], stiffness, t, only)
             yield frame, contacts if apart else _told(model, now[0], contacts)
 
 

@@ -71,7 +71,7 @@ def axle_loads(result: Result, frames: range) -> Floats:
         force = result.read("contact_force", frames.start, frames.stop).sum(axis=1)
         return np.asarray(np.linalg.norm(force, axis=1)[:, None])
     found = np.zeros((len(frames), len(where), 3))
-    for frame, contacts in each_frame(result, frames):
+    for frame, contacts in each_frame(result, frames, where):
         forces = contacts.push[:, None] * contacts.normal + np.nan_to_num(contacts.rub)
         for column, o in enumerate(where):
             found[frame - frames.start, column] = forces[contacts.obstacle == o].sum(axis=0)

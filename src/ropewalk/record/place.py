@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -23,8 +24,25 @@ PARTS = (SCENE, PROVENANCE, STATUS, DATA, CHECKPOINT, BEYOND, EVENTS, LOCK)
 NOTHING = "; nothing was kept"
 _REPLACED = ".replaced-"  # a folder in a run folder: what was there before, while it is replaced
 _LEFT = re.compile(r"[0-9a-f]{12}\.new")
+_PART = re.compile(r"part-\d+")  # of a live session, a run of its own
 _LEFT_ALONE = 60.0  # [s] after which an unlocked hidden folder belongs to nobody any more
 _RENAMES_LOCKED = os.name != "nt"  # Windows renames no folder in which a file is open
+
+
+def session_folder(folder: Path) -> Path:
+    """Return the folder of the live session that a run is a further part of, else the run's own."""
+    further = _PART.fullmatch(folder.name) and is_run(folder.parent)
+    return folder.parent if further else folder
+
+
+def _is_part(folder: Path) -> bool:
+    """Tell whether a folder holds a further part of a live session; another run may have its name."""
+    if not _PART.fullmatch(folder.name) or not is_run(folder):
+        return False
+    try:
+        return json.loads((folder / PROVENANCE).read_text(encoding="utf-8")).get("live") is True
+    except (OSError, ValueError, AttributeError):
+        return False
 
 
 def is_run(folder: Path) -> bool:
@@ -137,8 +155,9 @@ def _replace(made: Path, folder: Path) -> None:
             moved.append((source, target))
 
     parts = [part for part in PARTS if part not in (LOCK, PROVENANCE)]
+    of_session = [one.name for one in folder.iterdir() if _is_part(one)]
     try:
-        for part in (PROVENANCE, *parts):
+        for part in (PROVENANCE, *parts, *of_session):
             move(folder / part, away / part)
         for part in (*parts, PROVENANCE):
             move(made / part, folder / part)

@@ -15,7 +15,7 @@ from ropewalk.record.files import writing
 from ropewalk.record.folder import check_scene, is_packed, read_facts, read_scene
 from ropewalk.record.identity import check_same
 from ropewalk.record.lock import locked
-from ropewalk.record.place import DATA
+from ropewalk.record.place import DATA, session_folder
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
 from ropewalk.record.run import COMMIT_SECONDS, Recorder, finish
@@ -78,6 +78,10 @@ def _check_open(folder: Path, facts: Facts) -> None:
     """Raise RunError when there is nothing to go on with."""
     if facts.provenance.get("format") != FORMAT:
         raise RunError(folder, "is of an older format, which can be read but not gone on with")
+    if facts.provenance.get("live"):
+        whole = session_folder(folder)
+        rule = f"is of a live session, which goes on with: ropewalk view {whole} --continue"
+        raise RunError(folder, rule)
     if facts.status == FINISHED:
         raise RunError(folder, "is finished: there is nothing to resume")
     if facts.status == AT_REST:

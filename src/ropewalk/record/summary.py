@@ -9,17 +9,20 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.balances import energy_note
+from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
+from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.tension_notes import anchor_note, curve_note, push_note, tension_note
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.pushes import largest_push
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -66,6 +69,7 @@ def summary(result: Result) -> dict[str, Any]:
             else {}
         ),
         **({"about the stretch limiter": note} if (note := limiter_note(result)) else {}),
+        **({"about the obstacles": note} if (note := deep_note(result)) else {}),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),
@@ -161,6 +165,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
         "greatest anchor force": "" if hard else anchor_note(result, force, most),
+        "greatest clamp moment": moment_note(result, found["greatest clamp moment"]),
     }
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
@@ -186,15 +191,38 @@ def _titles(result: Result) -> dict[str, str]:
     }
 
 
+def _moment_at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
+    """Return the largest moment on a clamp, and what is to be said of it, where there is one."""
+    moment = found["greatest clamp moment"]
+    if math.isnan(moment.value):
+        return {}
+    place = place_of(result, "greatest clamp moment", moment).partition(",")[0]
+    note = moment_note(result, moment)
+    told = {"largest clamp moment [N m]": moment.value, "largest clamp moment at": place}
+    return told | ({"about the largest clamp moment": note} if note else {})
+
+
 def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the numbers of an equilibrium, without those of a motion."""
     about = result.facts.provenance["statics"]
     table: dict[str, Any] = {"status": result.status}
-    for name in ("greatest tension", "greatest stretch", "lowest point"):
+    most, least = found["greatest tension"].value, found["least tension"]
+    notes = {
+        "least tension": push_note(result, least, most)
+        if largest_push(result.tension[0], result.residual)
+        else "",
+        "greatest stretch": curve_note(result, found["greatest stretch"]),
+    }
+    for name in ("greatest tension", "least tension", "greatest stretch", "lowest point"):
+        if name == "least tension" and not notes[name]:
+            continue  # nothing pushes
         title, extreme = _titles(result)[name], found[name]
         table[title] = extreme.value
         place = place_of(result, name, extreme).partition(",")[0]
         table[f"{title.partition(' [')[0]} at"] = place
+        if notes.get(name):
+            table[f"about the {title.partition(' [')[0]}"] = notes[name]
+    table |= _moment_at_rest(result, found)
     return (
         table
         | _margins(result, found)

@@ -12,6 +12,8 @@ from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.scene import Rope
 from ropewalk.scene.curve_words import end_words
+from ropewalk.scene.straight_words import straight_words
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -46,7 +48,7 @@ def tension_note(result: Result, peak: Extreme) -> str:
     before = float(result.read("tension", frame - 1, frame)[0, peak.place])
     if not before < JERK * peak.value:
         return ""
-    share = f"{100.0 * max(before, 0.0) / peak.value:.2g} %"
+    share = percent(100.0 * max(before, 0.0) / peak.value)
     times = f"a wave takes {1e3 * through:.3g} ms through a segment, a step {1e3 * plan.dt:.3g} ms"
     return (
         f"a jerk, from {share} of it one frame before: {times}, so that the peak may be wrong by a fifth and "
@@ -102,17 +104,19 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
         return ""
     return (
         f"the mean over a step; at the end of one the segment it holds bore {tension.value:.6g} N, "
-        f"{100.0 * less / force.value:.2g} % more: shorter steps bring the two together"
+        f"{percent(100.0 * less / force.value)} more: shorter steps bring the two together"
     )
 
 
 def curve_note(result: Result, longest: Extreme) -> str:
-    """Say so where the largest stretch lies beyond the last point of a rope's curve; else ""."""
+    """Say so where the largest stretch lies beyond a rope's curve, or where its EA is right; else ""."""
     if not math.isfinite(longest.value) or longest.place < 0:
         return ""
     made_of = _rope_at(result, longest).made_of
-    if made_of.kind == "springs" or made_of.curve is None:
+    if made_of.kind == "springs":
         return ""
+    if made_of.curve is None:
+        return straight_words(made_of, longest.value - 1.0)
     if longest.value - 1.0 <= made_of.curve.end[0] * (1.0 + 1e-9):
         return ""
     return f"beyond its curve's last point, {end_words(made_of.curve)}, where it goes on straight"

@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from ropewalk.rigging.lines import Line
     from ropewalk.rigging.rolling import Rolling
 
+_NO_END = "EA is a guess: at an end of its range no such line, or no rest of it, was found"
+
 
 def between(line: Line) -> tuple[Line, Line] | None:
     """Return the line with the least and with the greatest EA of a guess, set up alike.
@@ -31,7 +33,7 @@ def line_notes(line: Line) -> list[str]:
     """Return what is to be known of the numbers of a line's rope, one a line."""
     notes = []
     known = {} if line.rope is None else line.rope.numbers
-    ends = between(line)
+    guess, ends = guesses_of(line.material).get("EA"), between(line)
     if ends is not None:
         soft, stiff = ends
         pulls = [max(one.tensions) for one in ends]
@@ -39,6 +41,11 @@ def line_notes(line: Line) -> list[str]:
             f"EA {force(line.material.EA)} is a guess, from {force(soft.material.EA)} to "
             f"{force(stiff.material.EA)}: length to cut {soft.length:.6g} to {stiff.length:.6g} m, "
             f"largest tension {force(min(pulls))} to {force(max(pulls))}"
+        )
+    elif guess is not None:
+        notes.append(
+            f"EA {force(guess.value)} is a guess, from {force(guess.low)} to {force(guess.high)}: with an "
+            "end of that range no line can be set up like this, so length and tensions are guesses, too"
         )
     elif line.rope is not None and "EA_static" not in known and line.rope.label:
         notes.append(f"EA {force(line.material.EA)} is that of a fall: at rest the rope is softer")
@@ -61,7 +68,7 @@ def rolling_notes(rolling: Rolling) -> list[str]:
     """Return the largest tension under the load at the ends of the range of a guessed EA."""
     ends = between(rolling.line)
     if ends is None:
-        return []
+        return [_NO_END] if "EA" in guesses_of(rolling.line.material) else []
     try:
         pulls = [
             float(
@@ -70,7 +77,7 @@ def rolling_notes(rolling: Rolling) -> list[str]:
             for one in ends
         ]
     except ArithmeticError:
-        return []
+        return [_NO_END]
     EAs = [force(one.material.EA) for one in ends]
     return [
         f"with EA {EAs[0]} to {EAs[1]} the largest is {force(min(pulls))} to {force(max(pulls))}"

@@ -92,8 +92,10 @@ def _plain(scene: Scene, rope: Rope, slide: Slide) -> bool:
     made = rope.made_of
     straight = isinstance(made, Material) and made.EI == 0.0 and not (rope.curved or rope.relaxes)
     alone = sum(one.on == rope.name for one in scene.slides) == 1 and not rope.loads
+    pushed = rope.forces or scene.rope_named(slide.rope).forces or rope.submerged_weight is not None
+    hung = sum(one.rope == slide.rope for one in scene.slides) > 1  # not upright, then
     ends = held == [0, rope.segments]
-    return bool(ends and straight and alone and not touched and not rider)
+    return bool(ends and straight and alone and not (touched or rider or pushed or hung))
 
 
 def _line(rope: Rope, places: Floats, down: Floats, gravity: float) -> Line | None:

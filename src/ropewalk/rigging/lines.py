@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
     Quantity = float | str
 
-_LONGEST = 0.9  # strain up to which a line may be pulled [1]; no rope bears more
+_LONGEST = 0.9  # strain up to which a line may be pulled [1]
 _SLACKEST = 20.0  # lengths of the chord up to which a line may be long [1]
 _HALVINGS = 200
 _UNITS = {"pretension": "N", "length": "m"}
@@ -331,7 +331,8 @@ def quantity(name: str, value: Any, unit: str, *, any_sign: bool = False) -> flo
 def _refuse_length(size: float, shortest: float, chord: float, rigid: bool, given: Any) -> None:
     if size < shortest:
         rule = f"must be more than {shortest:.6g} m: the ends are {chord:.6g} m apart"
-        rule += ", and this rope does not stretch" if rigid else ", and no rope stretches that far"
+        most = f", and a line is set up with at most {100.0 * _LONGEST:.0f} % of stretch"
+        rule += ", and this rope does not stretch" if rigid else most
         raise SceneError([Fault("length", given, rule)])
     if size > _SLACKEST * chord:
         raise SceneError([Fault("length", given, f"must be at most {_SLACKEST * chord:.6g} m")])

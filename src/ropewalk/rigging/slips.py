@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from ropewalk.rigging.words import force
+from ropewalk.scene.straight_words import straight_words
 
 if TYPE_CHECKING:
     from ropewalk.rigging.lines import Line
@@ -50,6 +51,8 @@ def load_slip(line: Line, mass: float) -> list[str]:
 def strain_slip(line: Line, tension: float) -> list[str]:
     """Return a sentence where a tension [N] stretches the rope by more than lines are stretched."""
     strain = tension / line.material.EA
+    if bent := straight_words(line.material, strain):
+        return [f"{force(tension)} stretches this rope by {100.0 * strain:.3g} %, {bent}"]
     sound = math.sqrt(line.material.EA / line.material.mass_per_length)
     if strain <= _MOST_STRAIN or sound < _RUBBER:
         return []

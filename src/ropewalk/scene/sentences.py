@@ -62,7 +62,7 @@ def _faults(model: ModelType, item: Mapping[str, Any]) -> Sequence[Fault]:
         least = context.get("min_length", 0)
         if isinstance(value, (list, tuple)) and len(value) >= least and kind == "too_short":
             return []  # what was wrong with its items has a sentence of its own
-        return [Fault(where.path, value, _length(context))]
+        return [Fault(where.path, value, _length(context, where, value))]
     if isinstance(value, float) and not math.isfinite(value):
         kind = "finite_number"  # whatever bound it broke first
     rule = _RULES.get(kind)
@@ -128,8 +128,11 @@ def _wrong_kind(where: Place, value: Any) -> Fault:
     return Fault(path, given, rule)
 
 
-def _length(context: Mapping[str, Any]) -> str:
+def _length(context: Mapping[str, Any], where: Place, value: Any) -> str:
     least, most = context.get("min_length"), context.get("max_length")
+    if re.search(r"\bfaces\[\d+\]$", where.path) and isinstance(value, (list, tuple)):
+        more = "; cut what has more corners into triangles" if len(value) > 3 else ""
+        return f"must have three vertices, and has {len(value)}{more}"
     return f"must have at least {least}" if most is None else f"must have at most {most}"
 
 

@@ -18,6 +18,7 @@ from ropewalk.scene.units import WrongUnit, in_unit
 
 SUFFIXES = (".stl", ".obj", ".ply")
 _NEEDS = 'needs the extra "mesh": pip install "ropewalk[mesh]"'
+_FLAT = 1e-12  # volume over surface and size, below which a surface encloses nothing [1]
 _SLOPES = (0.5, 2.0)  # between which the slope of distances next to the surface must lie [1]
 
 Triangles = tuple[list[list[float]], list[list[int]]]
@@ -110,6 +111,8 @@ def grid_of(folder: Path, given: dict[str, Any]) -> tuple[NDArray[np.float64], f
 def _numbers(name: str, given: Any, shown: str) -> NDArray[np.float64]:
     """Return what was given as an array. Refuses what are no finite numbers, by the field's name."""
     try:
+        if np.iscomplexobj(given):
+            raise TypeError("complex numbers are no distances")
         found = np.array(given, dtype=np.float64)
     except (TypeError, ValueError) as error:
         refuse([Fault(name, NO_VALUE, f"must be numbers{shown}: {error}")])
@@ -128,6 +131,12 @@ def _grid_faults(values: NDArray[np.float64], spacing: float, shown: str) -> Ite
         return [Fault("spacing", spacing, "must be greater than 0 (m)")]
     rim = np.ones(values.shape, bool)
     rim[1:-1, 1:-1, 1:-1] = False
+    if (values[rim] < 0.0).all() and (values > 0.0).any():
+        rule = (
+            "are negative all round, as of a hollow: distances are positive outside the solid and negative "
+            "inside; turn their signs"
+        )
+        return [Fault("values", shape, rule)]
     if not (values[rim] > 0.0).all():
         rule = (
             "must be positive all round: the solid must end inside the grid; make the grid larger"
@@ -136,7 +145,8 @@ def _grid_faults(values: NDArray[np.float64], spacing: float, shown: str) -> Ite
     if not (values < 0.0).any():
         return [Fault("values", shape, "must be negative inside the solid: there is none")]
     slope = np.linalg.norm(np.gradient(values, spacing), axis=0)
-    typical = float(np.median(slope[np.abs(values) < 2.0 * spacing]))
+    near = np.abs(values) < 2.0 * spacing  # nowhere, where they are millimetres
+    typical = float(np.median(slope[near] if near.any() else slope))
     if not _SLOPES[0] < typical < _SLOPES[1]:
         rule = (
             f"must be distances in metres, with a slope of 1 next to the surface, not {typical:.3g}: "
@@ -195,7 +205,7 @@ def surface_faults(vertices: Any, faces: Any) -> list[Fault]:
 
 
 def _inverted(places: NDArray[np.float64], corners: NDArray[np.int64]) -> list[Fault]:
-    """Return a fault for a part that is inside out and no cavity: in no part that is not."""
+    """Return a fault for a part that is flat, or inside out and no cavity: in no part that is not."""
     whole = places[corners]
     parts = _parts(len(places), corners)[corners[:, 0]]
     boxes, volumes, firsts = [], [], []
@@ -203,6 +213,11 @@ def _inverted(places: NDArray[np.float64], corners: NDArray[np.int64]) -> list[F
         own = whole[parts == part]
         a, b, c = np.moveaxis(own - own.mean(axis=(0, 1)), 1, 0)
         volumes.append(float((a * np.cross(b, c)).sum()) / 6.0)
+        area = 0.5 * float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum())
+        if abs(volumes[-1]) <= _FLAT * area * float(np.ptp(own, axis=(0, 1)).max()):
+            first = int(np.argmax(parts == part))
+            rule = "encloses nothing: its sides lie on each other; give it a thickness"
+            return [Fault(f"faces[{first}]", "of a flat part", rule)]
         boxes.append((own.min(axis=(0, 1)), own.max(axis=(0, 1))))
         firsts.append(int(np.argmax(parts == part)))
     solid = [box for box, volume in zip(boxes, volumes, strict=True) if volume > 0.0]

@@ -17,7 +17,8 @@ _POWER = r"(?:(?:\*\*|\^)-?\d)?"
 _NAME = r"[A-Za-zµμΩ°%²³]+"
 _UNIT = rf"1|{_NAME}{_POWER}(?:\s*[*/·]\s*{_NAME}{_POWER}|\s+{_NAME}{_POWER})*"
 _QUANTITY = re.compile(rf"\s*({_NUMBER})\s*((?:1/)?(?:{_UNIT}))\s*")
-_BARE = re.compile(rf"\s*{_NUMBER}\s*")
+_BARE = re.compile(rf"\s*(?>{_NUMBER})\s*")
+_SEVERAL = re.compile(rf"\s*(?>{_NUMBER})(?:(?>\s*[,;]\s*|\s+)(?>{_NUMBER}))+\s*")
 _FRACTION = re.compile(r"\s*[+-]?(?:\d+[\s-])?\s*\d+\s*/\s*\d+")
 
 
@@ -44,6 +45,12 @@ def in_unit(value: Any, unit: str) -> Any:
     return value
 
 
+def _are_several(text: str) -> bool:
+    """Return whether a text is several numbers; one comma without a space is that of decimals."""
+    apart = len(text.split()) > 1 or text.count(",") > 1 or ";" in text
+    return apart and _SEVERAL.fullmatch(text) is not None
+
+
 def _from_text(text: str, unit: str) -> Any:
     head = text.strip()[:1]
     if not (head.isdigit() or head in "+-.") or not any(c.isdigit() for c in text):
@@ -51,6 +58,10 @@ def _from_text(text: str, unit: str) -> Any:
     if _BARE.fullmatch(text):
         return text  # a number in quotes, which the field refuses
     found = _QUANTITY.fullmatch(text) if len(text) <= _LONGEST else None
+    if len(text) <= _LONGEST and _are_several(text):
+        numbers = ", ".join(re.findall(_NUMBER, text))
+        rule = f"is more than one number; write a list, [{numbers}], or one alone"
+        return WrongUnit(text, rule)
     if found is None:
         rule = f"is no number with a unit; write it as {_example(unit)}"
         decimals = "," in text or _FRACTION.match(text)

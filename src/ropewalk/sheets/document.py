@@ -79,8 +79,8 @@ class Sheet:
 
 
 def _plain(table: Table) -> Any:
-    """Return a table as a mapping from first to second column, or with more columns as a list of rows."""
-    if len(table.head) == 2:
+    """Return a table as a mapping from first to second column; with more, or two alike, as a list of rows."""
+    if len(table.head) == 2 and len({row[0] for row in table.rows}) == len(table.rows):
         return {row[0]: row[1] for row in table.rows}
     heads = [head or "what" for head in table.head]
     return [dict(zip(heads, row, strict=True)) for row in table.rows]

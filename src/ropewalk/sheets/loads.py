@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.margins import Margin, doubt_words
+from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.tension_notes import anchor_note, tension_note
 from ropewalk.scene.guess import COMPUTE
@@ -84,13 +85,17 @@ def rest_section(
             f"{span.distance:.5g} m",
             span.sag_words(4) or "hangs free",
             prefixed(span.horizontal, "N") if span.kind == "span" else "",
-            prefixed(span.largest_tension, "N"),
+            span.pull_words(4),
         )
         for span in spans
     ]
-    head = ("span", "ends apart", "sag", "horizontal tension", "largest tension")
+    head = ("span", "ends apart", "sag", "horizontal force", "largest tension")
     items: list[Item] = [Table(head, rows)] if rows else []
-    items += _anchor_table(result, result.reactions[0]) + _utilisation(result, then)
+    items += _anchor_table(result, result.reactions[0]) + _clamp_table(result)
+    items += _utilisation(result, then)
+    if note := result.table.get("about the least tension"):
+        least = _value(float(np.nanmin(result.tension[0])), "N")
+        items.append(Text(f"The least tension at rest is {least}, {note}.", warning=True))
     if rest is not None:
         items += _contacts(rest)
     if result.scene.limiter is not None and not all(rope.rigid for rope in result.scene.ropes):
@@ -155,13 +160,14 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
 
 
 def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
-    """Return what is to be said of the largest tension and anchor force of a run."""
+    """Return what is to be said of the largest tension, anchor force and clamp moment of a run."""
     most, force = found["greatest tension"], found["greatest anchor force"]
     if hard := hard_note(result, found):
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
         "tension": tension_note(result, most),
         "force on an anchor": anchor_note(result, force, most),
+        "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
     }
     return [
         Text(f"The largest {what}: {note}.", warning=True) for what, note in notes.items() if note
@@ -190,6 +196,20 @@ def _anchor_table(result: Result, reactions: Floats) -> list[Item]:
     ]
     head = ("anchor", "x", "y", "z", "size", "direction")
     return [Table(head, rows, note=_SIGN)] if rows else []
+
+
+def _clamp_table(result: Result) -> list[Item]:
+    """Return the moments on the clamps at rest, and what is to be said of the largest."""
+    rows = [
+        (anchor.name, prefixed(float(np.linalg.norm(moment)), "N m"))
+        for anchor, moment in zip(result.scene.anchors, result.moments[0], strict=True)
+        if anchor.clamp is not None
+    ]
+    if not rows:
+        return []
+    note = moment_note(result, extremes(result)["greatest clamp moment"])
+    said = [Text(f"The largest moment on a clamp: {note}.", warning=True)] if note else []
+    return [Table(("clamp", "moment"), rows), *said]
 
 
 def _anchor_peaks(result: Result) -> list[Item]:

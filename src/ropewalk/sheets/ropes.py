@@ -247,9 +247,9 @@ def _push(scene: Scene) -> str:
             " A stretched one that shortens fast is held back by its friction, below zero tension."
         )
         return "Slack segments carry nothing." + (brake if damped else "")
-    which = (
-        "Segments" if len(pushing) == len(scene.ropes) else f"Segments of {', '.join(pushing[:4])}"
-    )
+    more = f" and {len(pushing) - 4} more" if len(pushing) > 4 else ""
+    named = f"Segments of {', '.join(pushing[:4])}{more}"
+    which = "Segments" if len(pushing) == len(scene.ropes) else named
     return f"{which} that are shorter than unstretched push back, as springs do."
 
 

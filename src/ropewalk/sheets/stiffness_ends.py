@@ -12,7 +12,7 @@ from ropewalk.record.extremes import extremes, margin
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.guess import STIFF, guesses_of
 from ropewalk.sheets.content import Item, Section, Table, Text
-from ropewalk.sheets.trust import Variant, rest_numbers, row_of, run_numbers, tried
+from ropewalk.sheets.trust import PARTED, Variant, rest_numbers, row_of, run_numbers, tried
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ SEE = f"both ends of it are computed under {TITLE}"
 _ENDS = ("least", "greatest")
 _NAMED = 6  # that are told one by one
 _TOLD = ("largest tension", "largest force on an anchor")
-_PARTED, _USED = "places where ropes parted", "largest utilisation"
+_USED = "largest utilisation"
 
 
 class Ends(NamedTuple):
@@ -107,7 +107,7 @@ def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
 
 def _numbers(scene: Scene) -> dict[str, float]:
     result = simulate(scene)
-    own = {_PARTED: float(len(result.partings)), _USED: _used(result)}
+    own = {PARTED: float(len(result.partings)), _USED: _used(result)}
     return {**run_numbers(result), **own}
 
 
@@ -150,7 +150,7 @@ def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[
         found.append(f"{_USED} up to {_percent(max(used))}")
     found += [f"of the {v.title} nothing, for it FAILED" for v in variants if v.why_not]
     found += [
-        f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(_PARTED, 0.0) > 0.0
+        f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(PARTED, 0.0) > 0.0
     ]
     return [f"{title}, {', '.join(found)}"] if found else []
 

@@ -16,11 +16,13 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.recut import recut
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.statics import NoRest, rest_spans
+from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+PARTED = "places where ropes parted"
 LARGE = 5.0  # [%] a change of a force from which the sheet warns
 _RUN = {
     "largest tension": ("greatest tension", "N"),
@@ -54,13 +56,15 @@ def method_section(result: Result) -> Section:
     largest = table.get("largest energy error [J]", math.nan)
     if not math.isnan(largest):
         share = table["largest energy error, share of the energy turned over [%]"]
-        told = "" if math.isnan(share) else f" ({share:.2g} % of the energy turned over)"
+        told = "" if math.isnan(share) else f" ({percent(share)} of the energy turned over)"
         rows.append(("largest energy error", f"{prefixed(largest, 'J', 3)}{told}"))
     items: list[Item] = [Table(("", ""), rows, numbers=False)]
     if note := table.get("about the energy"):
         items.append(Text(f"The energy: {note}.", warning=True))
     if note := table.get("about the stretch limiter"):
         items.append(Text(f"The stretch limiter: {note}.", warning=True))
+    if note := table.get("about the obstacles"):
+        items.append(Text(f"The obstacles: {note}.", warning=True))
     return Section("Method", tuple(items))
 
 
@@ -68,6 +72,11 @@ def run_numbers(result: Result) -> dict[str, float]:
     """Return what variants of a run are compared by, in SI units."""
     found = extremes(result)
     return {title: found[name].value for title, (name, _) in _RUN.items()}
+
+
+def _ran(scene: Scene) -> dict[str, float]:
+    result = simulate(scene)
+    return run_numbers(result) | {PARTED: float(len(result.partings))}
 
 
 def rest_numbers(scene: Scene) -> dict[str, float]:
@@ -94,6 +103,12 @@ NOT_LOOKED_AT = Section(
 )
 
 
+_NOT_SO = (
+    "That steps agree does not make these numbers right: they may all be too long for the motion. See what "
+    "is said of the energy under Method."
+)
+
+
 def convergence_section(scene: Scene, result: Result, progress: Callable[[str], None]) -> Section:
     """Return how the numbers change with half the segments, and of a run with half the step."""
     at_rest = result.status == "at rest"
@@ -109,7 +124,22 @@ def convergence_section(scene: Scene, result: Result, progress: Callable[[str], 
         rows = [row for name in base if (row := row_of(name, base, ran))]
         items.append(Table(("", "this sheet", *(variant.title for variant in ran)), rows))
         items.append(_verdict(base, ran))
+        items += _partings(0 if at_rest else len(result.partings), ran)
+        if not at_rest and result.table.get("about the energy"):
+            items.append(Text(_NOT_SO, warning=True))
     return Section("Convergence", tuple(items))
+
+
+def _partings(own: int, ran: list[Variant]) -> list[Item]:
+    """Say which variants part at more or fewer places than `own`: forces near the breaking load are alike."""
+    others = {variant.title: variant.numbers.get(PARTED, own) for variant in ran}
+    return [
+        Text(
+            f"With {title} ropes part at {number:.0f} places, in this sheet at {own}.", warning=True
+        )
+        for title, number in others.items()
+        if number != own
+    ]
 
 
 def _other_cut(scene: Scene, result: Result, progress: Callable[[str], None]) -> Variant:
@@ -127,7 +157,7 @@ def _other_cut(scene: Scene, result: Result, progress: Callable[[str], None]) ->
         finer = other.factor > 1.0
         run = run.replace(method=plan.method, time_step=plan.dt / (2.0 if finer else 1.0))
         title += " (and half the step)" if finer else ""
-    return tried(title, lambda made: run_numbers(simulate(made)), other.scene.replace(run=run))
+    return tried(title, _ran, other.scene.replace(run=run))
 
 
 def _other_step(scene: Scene, result: Result, progress: Callable[[str], None]) -> Variant:
@@ -139,7 +169,7 @@ def _other_step(scene: Scene, result: Result, progress: Callable[[str], None]) -
         title = "a tenth of the tolerance"
         run = scene.run.replace(method=plan.method, tolerance=max(plan.tolerance / 10.0, 1e-9))
     progress(f"once more with {title}")
-    return tried(title, lambda made: run_numbers(simulate(made)), scene.replace(run=run))
+    return tried(title, _ran, scene.replace(run=run))
 
 
 def tried(title: str, numbers: Callable[[Scene], dict[str, float]], scene: Scene) -> Variant:
@@ -172,7 +202,11 @@ def row_of(name: str, base: dict[str, float], ran: list[Variant]) -> tuple[str, 
             cells.append("")
             continue
         other = variant.numbers[name]
-        change = f"{other - value:+.2g} m" if unit == "m" else f"{_change(value, other):+.2g} %"
+        change = (
+            f"{other - value:+.2g} m"
+            if unit == "m"
+            else f"{percent(_change(value, other), sign='+')}"
+        )
         cells.append(f"{told(other)} ({change})")
     return (name, told(value), *cells)
 
@@ -192,12 +226,12 @@ def _verdict(base: dict[str, float], ran: list[Variant]) -> Text:
                 worst, of, by = change, name, variant.title
     if worst > LARGE:
         return Text(
-            f"NOT CONVERGED: the {of} changes by {worst:.2g} % with {by}. Cut the ropes finer, or step "
+            f"NOT CONVERGED: the {of} changes by {percent(worst)} with {by}. Cut the ropes finer, or step "
             "shorter, before these numbers are used.",
             warning=True,
         )
     tried = ", and with ".join(variant.title for variant in ran)
     return Text(
-        f"The forces change by at most {worst:.2g} % with {tried}. So much may what was varied be expected "
-        "to cost; it says nothing of what was not varied, nor of the data."
+        f"The forces change by at most {percent(worst)} with {tried}. So much may what was varied be "
+        "expected to cost; it says nothing of what was not varied, nor of the data."
     )

@@ -45,6 +45,7 @@ from ropewalk.statics.tied import points, solve_tied, together
 _TINY = 1e-300
 _CLOSED = 1e-9  # error that counts as at rest [1]
 _ROUNDING = 1e-13  # ... or this share of the largest tension [1]
+_MOST = 1e-6  # what rounding may leave, over the unit of force, which is raised to that where need be [1]
 _YIELD = 1e-9  # compliance of rigid links within a Newton step, in the model's units [1]
 
 
@@ -80,6 +81,7 @@ class Balance:
             False  # whether ropes slid or fell so far on obstacles that they will not rest
         )
         self.slid = 0.0  # [m] how far they went and were not at rest yet
+        self.patient = True  # whether they had the time of settling for it
         self.pressed: Any = None  # what its tension presses too deep, see `pressing`
         self.number = points(model)  # (n,), where joints tie nodes
         self._set_scales()
@@ -104,6 +106,8 @@ class Balance:
         self.force = float(max(weight.mean(), load.mean() if np.isfinite(load).all() else 0.0))
         if self.force == 0.0:
             self.force = stretched or 1.0
+        # What rounding leaves where a straight rope bends is no measure of its forces.
+        self.force = max(self.force, self._rounding(state.x, stretched) / _MOST)
         masses = state.mass[state.mass > 0.0]
         # Rigid links give a little within one Newton step, or a straight row of them has no solution.
         least = _YIELD * self.length / self.force
@@ -113,11 +117,7 @@ class Balance:
     def allowed(self, x: Floats, tension: Floats) -> float:
         """Return the error that counts as at rest [1]: more where rounding of forces or places shows."""
         pull = float(np.abs(tension[self.live]).max(initial=0.0))
-        if self.bends:
-            size = float(np.ptp(x, axis=1).max())
-            pull += size * float(self.state.bending_stiffness.max()) / self.length**2
-        found = max(_CLOSED, _ROUNDING * pull / self.force, self._of_places(x, tension))
-        return found + self._of_contacts(x)
+        return max(_CLOSED, self._rounding(x, pull) / self.force) + self._of_contacts(x)
 
     def _of_contacts(self, x: Floats) -> float:
         """Return the error that rounding the places makes of the forces of contacts [1]."""
@@ -129,11 +129,14 @@ class Balance:
             found = max(found, self.coupled.rounding(x))
         return found / self.force
 
-    def _of_places(self, x: Floats, tension: Floats) -> float:
-        """Return the error that rounding the places makes of the largest tension's direction [1]."""
-        pull = float(np.abs(tension[self.live]).max(initial=0.0))
+    def _rounding(self, x: Floats, pull: float) -> float:
+        """Return the force that rounding of forces and places leaves under a largest tension [N]."""
         size = float(np.abs(x).max(initial=0.0))
-        return 16.0 * float(np.finfo(float).eps) * size / self.length * pull / self.force
+        turned = 16.0 * float(np.finfo(float).eps) * size / self.length * pull
+        if self.bends:
+            size = float(np.ptp(x, axis=1).max())
+            pull += size * float(self.state.bending_stiffness.max()) / self.length**2
+        return max(_ROUNDING * pull, turned)
 
     # -- the laws ------------------------------------------------------------------------
 
@@ -234,17 +237,24 @@ class Balance:
 
     def taut(self, x: Floats, tension: Floats) -> np.ndarray:
         """Return which segments obey Hooke's law rather than T = 0, (s,)."""
-        _, r = self.directions(x)
-        stretch = r - self.rest - self.given(tension)[0]
+        return self._taut(self._too_long(x, tension), tension)
+
+    def _taut(self, stretch: Floats, tension: Floats) -> np.ndarray:
+        """Return the same of segments that are too long by a stretch [m], (s,)."""
         wants = tension + self.force / self.length * stretch > 0.0
         return np.asarray(self.live & (wants | ~self.one_way))
 
+    def _too_long(self, x: Floats, tension: Floats) -> Floats:
+        """Return by how much segments are longer than Hooke's law has them [m], (s,)."""
+        _, r = self.directions(x)
+        found: Floats = r - self.rest - self.given(tension)[0]
+        return found
+
     def gap(self, x: Floats, tension: Floats) -> Floats:
         """Return how much too long every segment is for its tension [m], (s,); 0 for slack ones."""
-        _, r = self.directions(x)
-        stretch = r - self.rest - self.given(tension)[0]
-        taut = self.taut(x, tension)
-        return np.where(taut, stretch, np.where(self.live, np.abs(tension), 0.0) / self.force)
+        stretch = self._too_long(x, tension)
+        slack = np.where(self.live, np.abs(tension), 0.0) / self.force
+        return np.where(self._taut(stretch, tension), stretch, slack)
 
     def error(self, x: Floats, tension: Floats) -> float:
         """Return the largest residual, in the model's own units of force and length [1]."""

@@ -32,6 +32,7 @@ from ropewalk.statics.touches import Seat, Touch, seats, touches
 from ropewalk.statics.wraps import Wrap, going_on_words, on_the_way_words, sliding_words, wraps
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.pushes import largest_push
 
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
@@ -46,6 +47,8 @@ _CROWDED = (
     "no shape of rest was found: ropes touch in more places than there is room for, or come through each "
     "other; draw them farther apart, or take fewer segments"
 )
+_FOLD = -0.99  # cosine of the turn from which on a node counts as folded, 172 degrees [1]
+_OPENING = 0.6  # of a segment: the push aside that opens a fold [1]
 _NUDGE = 1e-3  # of a segment: the push aside that tells whether a compressed shape is stable [1]
 
 
@@ -90,6 +93,11 @@ class Statics:
         return float(self.tension.max(initial=0.0))
 
     @property
+    def largest_push(self) -> float:
+        """Largest push of any segment [N]; 0 where none is pressed."""
+        return largest_push(self.tension, self.residual)
+
+    @property
     def by_friction(self) -> bool:
         """Whether friction holds ropes where they touch or slide, so that there are many shapes of rest."""
         rubs = [wrap.friction for wrap in self.wraps] + [touch.friction for touch in self.touches]
@@ -102,7 +110,8 @@ class Statics:
 
     def __repr__(self) -> str:
         spans = "; ".join(str(span) for span in self.spans) or "nothing is held"
-        return f"Statics: {spans}; largest tension {prefixed(self.largest_tension, 'N')}."
+        push = f", largest push {prefixed(self.largest_push, 'N')}" if self.largest_push else ""
+        return f"Statics: {spans}; largest tension {prefixed(self.largest_tension, 'N')}{push}."
 
 
 def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
@@ -173,19 +182,19 @@ def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
     if x.shape[1] > _LARGE:
         hangs = _evaluated(balance, x, tension)
         if hangs.at_rest and not own:
-            return _stable(balance, hangs)
+            return _stable(model, balance, hangs)
         if not patient:
             return hangs
     if not own:
         found = settle(balance, x, tension)
         if found.at_rest:
-            return _stable(balance, found)
+            return _stable(model, balance, found)
     starts = [model.state.x.copy(), x] if own else [x, model.state.x.copy()]
     best = None
     for start in starts:
         found = _soft_first(balance, start)
         if found.at_rest:
-            return _stable(balance, found)
+            return _stable(model, balance, found)
         best = found if best is None or found.error < best.error else best
     assert best is not None
     return best
@@ -198,7 +207,7 @@ def _find_by_creeping(model: Model, balance: Balance, *, patient: bool) -> Found
         return _evaluated(balance, x, np.zeros(x.shape[1] - 1))
     thick = float(model.system.node.obstacle.thickness.max())
     least = min(map(thinnest, model.scene.obstacles), default=math.inf) + thick
-    watch = Watch(model, balance)
+    watch, balance.patient = Watch(model, balance), patient
     crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED, watch.see)
     balance.goes_on, balance.slid = crept.goes_on, crept.slid
     balance.pressed = watch.at_last(crept.found.x)
@@ -236,16 +245,42 @@ def _soft_first(balance: Balance, x: Floats) -> Found:
     return found
 
 
-def _stable(balance: Balance, found: Found) -> Found:
-    """Push a compressed shape a little aside: an unstable one then finds its way to a stable one."""
-    if not (found.tension[balance.live] < -_PUSHED * balance.force).any():
+def _stable(model: Model, balance: Balance, found: Found) -> Found:
+    """Push a compressed or folded shape aside: an unstable one then finds its way to a stable one."""
+    folds = _folds(balance, found.x)
+    if not folds.any() and not (found.tension[balance.live] < -_PUSHED * balance.force).any():
         return found
     noise = np.random.default_rng(0).normal(size=found.x.shape)  # the same for every call
-    if balance.number is not None:
-        noise = noise[:, np.unique(balance.number, return_index=True)[1]][:, balance.number]
-    moved = found.x + np.where(balance.free, _NUDGE * balance.length * noise, 0.0)
-    again = settle(balance, moved, np.maximum(found.tension, 0.0), 1.0)
+    size = np.full(balance.nodes, _NUDGE * balance.length)
+    for rope in model.layout.ropes:
+        if folds[rope.first : rope.last + 1].any():
+            size[rope.first : rope.last + 1] = (
+                _OPENING * balance.rest[rope.first : rope.last].mean()
+            )
+    push = size * noise
+    if balance.number is not None:  # what is tied is pushed as one
+        push = push[:, np.unique(balance.number, return_index=True)[1]][:, balance.number]
+    again = settle(
+        balance,
+        found.x + np.where(balance.free, push, 0.0),
+        np.maximum(found.tension, 0.0),
+        1.0,
+    )
     return again if again.at_rest else found
+
+
+def _folds(balance: Balance, x: Floats) -> NDArray[np.bool_]:
+    """Return at which nodes (n,) a rope with bending stiffness is folded back in a shape x (3, n) [m].
+
+    There is no side to which it would open by itself, and near it the equations lead back to the fold.
+    """
+    folds = np.zeros(balance.nodes, dtype=bool)
+    if balance.bends:
+        t, _ = balance.directions(x)
+        stiff = balance.state.bending_stiffness[1:-1] > 0.0
+        turns = (t[:, :-1] * t[:, 1:]).sum(axis=0) < _FOLD
+        folds[1:-1] = stiff & turns & balance.live[:-1] & balance.live[1:]
+    return folds
 
 
 def _grounded(model: Model, x: Floats) -> NDArray[np.bool_]:
@@ -281,6 +316,7 @@ def _statics(
     positions = np.ascontiguousarray(x.T)
     lie, contacts = _lie(model, balance, x, tension)
     obstacles, held = bool(model.scene.obstacles), balance.state.memory
+    residual = float(np.abs(left[:, balance.free]).max(initial=0.0))
     return Statics(
         positions=positions,
         tension=carried,
@@ -289,9 +325,9 @@ def _statics(
         slack=slack,
         stretch=stretch,
         grounded=_grounded(model, x),
-        spans=rest_spans(model, positions, carried),
+        spans=rest_spans(model, positions, carried, residual),
         unheld=unheld,
-        residual=float(np.abs(left[:, balance.free]).max(initial=0.0)),
+        residual=residual,
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
         steps=found.steps,
         solved=found.at_rest and not unseen,
@@ -335,7 +371,7 @@ def _complaint(model: Model, balance: Balance, found: Found) -> str:
         if balance.goes_on:
             return going_on_words(lie) if model.scene.obstacles else _GOES_ON
         if balance.slid > 0.0:
-            return on_the_way_words(lie, balance.slid)
+            return on_the_way_words(lie, balance.slid, patient=balance.patient)
         remedy = sliding_words(lie) or remedy
     return (
         f"no shape of rest was found in {found.steps} steps: at node {number} of rope {rope!r} "

@@ -22,11 +22,22 @@ _LEAST = 1e-13  # least inertia, in units of the model's own rate [1]
 _DESCENT = 1e-4  # share of the promised descent that counts [1]
 _HALVINGS = 6
 _LEAP = (0.3, 1.0, 1.0)  # parts that are taken whatever the merit, in turn [1]
-_POLISH = 3  # steps after the first that counts as rest, down to rounding
+POLISH = 3  # steps after the first that counts as rest, down to rounding
 
 
-def search(balance: Balance, x: Floats, tension: Floats, most: int) -> Found:
-    """Return what Newton's method comes to in `most` steps from places (3, n) [m] and tensions (s,) [N]."""
+def search(
+    balance: Balance,
+    x: Floats,
+    tension: Floats,
+    most: int,
+    most_leaps: float = np.inf,
+    polish: int = POLISH,
+) -> Found:
+    """Return what Newton's method comes to in `most` steps from places (3, n) [m] and tensions (s,) [N].
+
+    It ends sooner where it has taken `most_leaps` steps that did not bring the merit down. After the first
+    step that counts as rest it takes `polish` more.
+    """
     tension = np.where(balance.live, tension, 0.0)
     least = inertia = _LEAST * balance.rate
     judge = _Judge(balance)
@@ -36,7 +47,7 @@ def search(balance: Balance, x: Floats, tension: Floats, most: int) -> Found:
     for count in range(1, most + 1):
         if best.at_rest:
             polished += 1
-            if error == 0.0 or polished > _POLISH:
+            if error == 0.0 or polished > polish:
                 break
         dx, pull, pivot = balance.step(x, tension, inertia, error < _NEAR)
         turn = largest_turn(balance, x, dx) if pivot > 0.0 else np.inf
@@ -52,6 +63,8 @@ def search(balance: Balance, x: Floats, tension: Floats, most: int) -> Found:
                 break
             part *= 0.5
         else:
+            if leaps >= most_leaps:
+                break
             part, leaps = whole * _LEAP[leaps % len(_LEAP)], leaps + 1
             trial, error = judge(x + part * dx, tension + part * (pull - tension))
         x, tension, merit = x + part * dx, tension + part * (pull - tension), trial

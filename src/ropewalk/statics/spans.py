@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import BENDING, Floats
 from ropewalk.laws.obstacle import touched
 from ropewalk.lowering import Model, Span
+from ropewalk.statics.balance import Balance
 from ropewalk.statics.hung import held_nodes, upward
 from ropewalk.statics.tied import tied_nodes
+from ropewalk.words.prefixes import prefixed
+from ropewalk.words.pushes import largest_push
 
 
 @dataclass(frozen=True)
@@ -27,8 +32,11 @@ class RestSpan:
     sag: float  # largest drop below the straight line between its ends, along gravity [m]
     rise: float  # largest height above that line [m]: of a rope that floats up
     lowest: float  # height of its lowest node above its first one [m], 0 or negative
-    horizontal: float  # part of the tension across gravity at its lowest node [N]; all along it without wind
-    largest_tension: float  # [N]
+    horizontal: (
+        float  # part across gravity of what it carries at its lowest node [N]: see `_horizontal`
+    )
+    largest_tension: float  # [N]; 0 where all of it is pressed
+    largest_push: float = 0.0  # of a segment that is pressed [N]
 
     @property
     def words(self) -> str:
@@ -50,6 +58,12 @@ class RestSpan:
         floats = self.rise > self.sag
         return f"rise {self.rise:.4g} m" if floats else f"sag {self.sag:.4g} m"
 
+    def pull_words(self, digits: int) -> str:
+        """The largest tension as an entry of a table's column; of a rope that is pressed its push."""
+        pushes = f"pushes {prefixed(self.largest_push, 'N', digits)}" if self.largest_push else ""
+        pulls = prefixed(self.largest_tension, "N", digits)
+        return f"{pulls}, {pushes}" if pushes and self.largest_tension > 0.0 else pushes or pulls
+
     def sag_words(self, digits: int) -> str:
         """The sag as an entry of a table's column; of a rope that floats up it says so."""
         if self.kind == "tail":
@@ -61,23 +75,30 @@ class RestSpan:
         )
 
 
-def rest_spans(model: Model, positions: Floats, tension: Floats) -> tuple[RestSpan, ...]:
-    """Return the spans of a rest shape; `positions` (n, 3) [m], `tension` (s,) [N].
+def rest_spans(
+    model: Model, positions: Floats, tension: Floats, left: float = 0.0
+) -> tuple[RestSpan, ...]:
+    """Return the spans of a rest shape; of ropes that lie on obstacles there are none: see `wraps`.
 
-    Of ropes that lie on obstacles there are none: see `wraps`.
+    Args:
+        model: what is at rest.
+        positions: places of the nodes (n, 3) [m].
+        tension: of the segments (s,) [N].
+        left: largest force that is left on a node [N].
     """
     found = []
+    measure = partial(_measure, model, positions, tension, _shear(model, positions), left)
     lies = touched(model.system.node.obstacle, positions.T)
     for rope in model.layout.ropes:
         nodes = sorted({*held_nodes(model, rope), *tied_nodes(model, rope)})
         if not nodes or lies[rope.start : rope.end + 1].any():
             continue
         if nodes[0] > rope.start:
-            found.append(_measure(model, positions, tension, rope, nodes[0], rope.start))
+            found.append(measure(rope, nodes[0], rope.start))
         for first, last in itertools.pairwise(nodes):
-            found.append(_measure(model, positions, tension, rope, first, last, "span"))
+            found.append(measure(rope, first, last, "span"))
         if nodes[-1] < rope.end:
-            found.append(_measure(model, positions, tension, rope, nodes[-1], rope.end))
+            found.append(measure(rope, nodes[-1], rope.end))
     return tuple(found)
 
 
@@ -85,6 +106,8 @@ def _measure(
     model: Model,
     positions: Floats,
     tension: Floats,
+    shear: Floats | None,
+    left: float,
     rope: Span,
     first: int,
     last: int,
@@ -101,15 +124,17 @@ def _measure(
     ends = from_first[-1]
     rise = float(heights[-1])
     across = float(np.linalg.norm(level[-1]))
-    if across <= 1e-9 * float(np.linalg.norm(ends)):
+    if across <= 1e-9 * float(np.linalg.norm(ends)):  # above each other, but for rounding
+        across = 0.0
         chord = np.full(heights.size, min(rise, 0.0))
     else:
         chord = np.clip(level @ level[-1] / across**2, 0.0, 1.0) * rise  # beyond an end: that end
     steps = np.diff(points, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     flat = steps - np.outer(steps @ up, up)
-    sideways = pull * np.linalg.norm(flat, axis=1) / np.maximum(sizes, 1e-300)
-    lowest = int(np.argmin(heights))
+    pulls = pull[:, None] * flat / np.maximum(sizes, 1e-300)[:, None]
+    lowest = max(int(np.argmin(heights)) - 1, 0)
+    turned = None if shear is None else shear[low:high][::step][lowest]
     free = kind == "tail"
     return RestSpan(
         rope=rope.name,
@@ -121,6 +146,41 @@ def _measure(
         sag=0.0 if free else max(0.0, float((chord - heights).max())),
         rise=0.0 if free else max(0.0, float((heights - chord).max())),
         lowest=float(heights.min()) if gravity > 0.0 else 0.0,
-        horizontal=0.0 if free else float(sideways[max(lowest - 1, 0)]),
+        horizontal=0.0
+        if free
+        else _horizontal(
+            pulls[lowest], float(pull[lowest]), turned, level[-1] * (across > 0.0), up
+        ),
         largest_tension=float(pull.max(initial=0.0)),
+        largest_push=largest_push(pull, left),
     )
+
+
+def _shear(model: Model, positions: Floats) -> Floats | None:
+    """Return what bending carries across each segment at places (n, 3) [m], (s, 3) [N]; None without any."""
+    if not model.system.flags[BENDING]:
+        return None
+    balance = Balance(model)
+    balance.others(np.ascontiguousarray(positions.T))
+    return np.ascontiguousarray(balance.state.forces.bending[:, 1:-1].T)
+
+
+def _horizontal(
+    pull: Floats, tension: float, shear: Floats | None, level: Floats, up: Floats
+) -> float:
+    """Return the part across gravity of what a segment carries [N], the same all along without wind.
+
+    Negative where it pushes: where the ends of a rope with bending stiffness are pushed apart, or where a
+    segment is pressed.
+
+    Args:
+        pull: the part of its tension (3,) [N].
+        tension: its tension [N].
+        shear: what bending carries across it (3,) [N]; None where nothing bends.
+        level: from one end of the span to the other, across gravity (3,) [m].
+        up: against gravity (3,) [1].
+    """
+    if shear is None:
+        return math.copysign(float(np.linalg.norm(pull)), tension)
+    force = pull + shear - (shear @ up) * up
+    return math.copysign(float(np.linalg.norm(force)), float(force @ level) or tension)

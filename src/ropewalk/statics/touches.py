@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.pairs.table import CONTACTS, PUSH, SPRING
+from ropewalk.laws.contact import turn_towards
+from ropewalk.laws.pairs.table import CONTACTS, NORMAL, PUSH, SPRING
 from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.slide_force import bound_of
 from ropewalk.laws.slides.table import APART, AT
 from ropewalk.laws.slides.table import SPRING as HELD
 from ropewalk.lowering import Model, Span
-from ropewalk.lowering.touching import turns
 from ropewalk.words.prefixes import prefixed
 
 _ROUNDING = 1e-6  # of a tension [1]
@@ -31,7 +31,7 @@ class Strand:
     rope: str
     first: int  # segment of the rope
     last: int
-    angle: float  # by which it turns there [rad]
+    angle: float  # by which it turns there towards the other [rad]
     before: float  # tension of the segment before the first [N]; 0 at the rope's end
     after: float  # ... after the last
     # Least and largest tension after it that friction holds with the one before as it is, by exp(mu angle)
@@ -137,10 +137,13 @@ def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touc
     rows = np.flatnonzero(contact.grip[:count, PUSH] > 0.0)
     pair, grip = contact.pair[rows], contact.grip[rows]
     mu, found = model.scene.contact.friction, []
-    push, rub = grip[:, PUSH], np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
+    push, normal = grip[:, PUSH], grip[:, NORMAL : NORMAL + 3]
+    rub = np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
     for here in _clusters(pair):
         use = float((rub[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
-        one, other = (_strand(model, x, tension, pair[here, side], mu) for side in (0, 1))
+        pressed = push[here, None] * normal[here]
+        one = _strand(model, x, tension, pair[here, 0], pressed, mu)
+        other = _strand(model, x, tension, pair[here, 1], -pressed, mu)
         found.append(Touch(one, other, float(push[here].sum()), len(here), use, mu))
     return tuple(found)
 
@@ -159,13 +162,16 @@ def _clusters(pair: Ints) -> Iterator[Ints]:
         yield np.array(sorted(found))
 
 
-def _strand(model: Model, x: Floats, tension: Floats, segments: Ints, mu: float) -> Strand:
+def _strand(
+    model: Model, x: Floats, tension: Floats, segments: Ints, pressed: Floats, mu: float
+) -> Strand:
+    """Describe a strand of which segments (c,) are pressed with forces (c, 3) [N]."""
     first, last = int(segments.min()), int(segments.max())
     rope: Span = model.layout.span(model.layout.rope_of(first)[0])
     inner = rope.first < first and last < rope.last - 1
     before = float(tension[first - 1]) if first > rope.first else 0.0
     after = float(tension[last + 1]) if last < rope.last - 1 else 0.0
-    angle = float(turns(x[:, max(first - 1, rope.first) : min(last + 3, rope.last + 1)].T).sum())
+    angle = _turn(model, x, segments, pressed)
     least, most = before * math.exp(-mu * angle), before * math.exp(mu * angle)
     held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 2)).any()
     fits = (1.0 - _ROUNDING) * least <= after <= (1.0 + _ROUNDING) * most
@@ -173,6 +179,17 @@ def _strand(model: Model, x: Floats, tension: Floats, segments: Ints, mu: float)
         least = most = math.nan
     start = rope.first
     return Strand(rope.name, first - start, last - start, angle, before, after, least, most)
+
+
+def _turn(model: Model, x: Floats, segments: Ints, pressed: Floats) -> float:
+    """Return by how much segments (c,) turn towards what presses on them with forces (c, 3) [N]; in rad."""
+    angle = 0.0
+    for node in map(int, np.unique([segments, segments + 1])):
+        force = pressed[(segments == node) | (segments == node - 1)].sum(axis=0)
+        size = float(np.linalg.norm(force))
+        if size > 0.0:
+            angle += float(turn_towards(x, node, *(force / size), model.state.stiffness))
+    return angle
 
 
 def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:

@@ -141,6 +141,11 @@ class Kept:
         seen = "over all steps" if self.of_steps is not None else "over the recorded frames"
         return f"{what}, {seen}" if time_too else what
 
+    def words(self, at_rest: bool) -> str:
+        """Return what the variable is, in words; an equilibrium has neither steps nor frames."""
+        bare = self.long_name.rpartition(", over")[0] or self.long_name
+        return f"{bare}, at rest" if at_rest else self.long_name
+
     @property
     def of_steps(self) -> str | None:
         """The recorded quantity that has this of every step; None: there is none, or a frame is asked for."""

@@ -209,6 +209,8 @@ def resume_sweep(
         )
         raise RunError(folder, rule)
     with locked(found.folder):
+        if SweepFolder.open(found.folder).plan.id != found.plan.id:
+            raise RunError(folder, "was replaced by another sweep meanwhile")
         found.tidy()
         if mended := mend(found):
             names = ", ".join(mended[:_TOLD])

@@ -52,7 +52,8 @@ def _numbers(name: str, values: ArrayLike) -> Floats:
 
 
 def _error(name: str, error: float | None) -> float | None:
-    if error is not None and not (np.isfinite(error) and error > 0.0):
+    plain = isinstance(error, int | float | np.number) and not isinstance(error, bool)
+    if error is not None and not (plain and 0.0 < error < np.inf):
         raise InputError(
             f"{name}.error", error, "must be a positive standard deviation, or left out"
         )
@@ -228,6 +229,12 @@ def offsets(rope: Floats, points: Floats, up: Floats) -> Floats:
     return np.concatenate([(gap * normal).sum(axis=1), (gap * np.cross(t, normal)).sum(axis=1)])
 
 
+def _frame_interval(scene: Scene) -> float:
+    """Return the time between two frames of a run [s]: exact steps need not fit into the one asked for."""
+    exact = scene.run.steps == "exact"
+    return build(scene).plan.frame_interval if exact else scene.run.frame_interval
+
+
 @dataclass(frozen=True)
 class _Track(Measurement):
     node: int = -1
@@ -240,7 +247,7 @@ class _Track(Measurement):
 
         assert self.at is not None
         x, v = (kept[parse(text).name] for text in self.keep)
-        times = np.arange(len(x)) * scene.run.frame_interval
+        times = np.arange(len(x)) * _frame_interval(scene)
         if self.at.max() > times[-1] + 1e-9:
             rule = f"[s] lies beyond the last frame, at {times[-1]:g} s; make run.duration longer"
             raise InputError("track", float(self.at.max()), rule)

@@ -23,6 +23,7 @@ DISTRIBUTIONS = {
     "gamma": "a, loc, scale",
     "weibull_min": "c, loc, scale",
 }
+_MOST = 1_000_000  # values of a grid
 _GRIDS: dict[str, Any] = {
     "linspace": np.linspace,
     "logspace": np.logspace,
@@ -74,6 +75,8 @@ def range_ends(what: str, text: str = "") -> tuple[float, float] | tuple[str, st
 
     Raises InputError, for `text`, which says where it stands.
     """
+    if "..." in what:
+        raise InputError("--vary", text, "a range has two dots: LOW..HIGH")
     low, _, high = what.partition("..")
     try:
         return float(low), float(high)
@@ -114,7 +117,15 @@ def _called(name: str, given: str, text: str) -> Any:
                 else ("logspace takes the exponents of first and last, and the count")
             )
             raise InputError("--vary", text, rule)
-        made = _GRIDS[name](numbers[0], numbers[1], int(numbers[2]))
+        if numbers[2] > _MOST:
+            raise InputError("--vary", text, f"the count must be at most {_MOST}")
+        try:
+            with np.errstate(all="ignore"):
+                made = _GRIDS[name](numbers[0], numbers[1], int(numbers[2]))
+        except ValueError as error:
+            raise InputError("--vary", text, str(error)) from None
+        if not np.isfinite(made).all():
+            raise InputError("--vary", text, f"{name} makes numbers that are not finite of these")
         return made.tolist()
     if name not in DISTRIBUTIONS:
         rule = f"there is no {name!r}; {nearest(name, [*DISTRIBUTIONS, *_GRIDS])}"

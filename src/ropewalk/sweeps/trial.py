@@ -254,7 +254,8 @@ def _trial(found: list[_Tried], keep: Sequence[Kept], what: str) -> Trial:
         sizes = tuple(
             np.max([shapes[place][1] for _, shapes in found], axis=0).astype(int).tolist()
         )
-        variables.append(Variable(kept.name, kept.text, dims, sizes, kept.unit, kept.long_name))
+        words = kept.words(at_rest=what == REST)
+        variables.append(Variable(kept.name, kept.text, dims, sizes, kept.unit, words))
     used = {dim for variable in variables for dim in variable.dims}
     coordinates = {dim: about for dim, about in _labels(first).items() if dim in used}
     if "time" in used:

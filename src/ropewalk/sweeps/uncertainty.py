@@ -15,22 +15,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.api import SceneLike, as_scene
+from ropewalk.record.errors import InputError
 from ropewalk.scene import Scene, SceneError, loads
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
-from ropewalk.sweeps.designs import SALTELLI, Design, plain_rows
+from ropewalk.sweeps.designs import MOST_RUNS, SALTELLI, Design, plain_rows
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
 from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.whole import refuse_unless_whole
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     import xarray as xr
 
 QUANTILES = (0.05, 0.5, 0.95)
-_FEW = 21  # runs: of fewer, 5 % and 95 % lie between the two least and the two largest
+FEW = 21  # runs: of fewer, 5 % and 95 % lie between the two least and the two largest
 _SAME = 1e-9  # [1] of the largest result of its kind: what differs by less, by what solvers leave
 _STRAIN = (
     1e-5  # [1] whose tension is the least size of forces: by _SAME of it lengths are rounded off
@@ -68,7 +70,7 @@ class Uncertainty:
     @property
     def few(self) -> bool:
         """Whether the bands are of too few runs to be as wide as they should."""
-        return self.sample < _FEW
+        return self.sample < FEW
 
     def plot(self) -> Any:
         """Draw the bands of tension, sag and anchor forces, and the Sobol indices; a Figure."""
@@ -119,11 +121,14 @@ def uncertain(
         options: of `sweep`: store, on, workers, progress.
 
     Raises SceneError for values that nothing makes uncertain and where no run ends well, InputError for
-    samples or a seed that are no whole numbers and for fewer than 2 samples, else as `sweep`.
+    samples or a seed that are no whole numbers, for fewer than 2 samples or more than there can be, else as
+    `sweep`.
     """
     loaded = as_scene(scene)
     spreads, parameters = spread_parameters(loaded, spreads)
     refuse_unless_whole("samples", samples, 2)
+    if samples > (most := MOST_RUNS // (len(parameters) + 2)):
+        raise InputError("samples", samples, f"must be at most {most}")
     if seed is not None:
         refuse_unless_whole("seed", seed, 0)
     else:
@@ -276,13 +281,13 @@ def _note(runs: xr.Dataset, more: str) -> str:
     if broken:
         share = 100.0 * broken / len(runs.run)
         told.append(
-            f"{broken} of {len(runs.run)} runs broke ({share:.2g} %) and are not in the bands: they hold "
+            f"{broken} of {len(runs.run)} runs broke ({percent(share)}) and are not in the bands: they hold "
             "for the values that do not break."
         )
-    if (sample := len(_plain(runs).run)) < _FEW:
+    if (sample := len(_plain(runs).run)) < FEW:
         planned = len(_planned(runs).run)
         why = "take 64 samples or more"
-        if planned >= _FEW:
+        if planned >= FEW:
             why = f"{planned - sample} of the {planned} samples broke"
         told.append(
             f"Bands of {sample} runs are too narrow: their 5 % and 95 % are hardly more than the least and "

@@ -308,11 +308,14 @@ def harder_by(
         stiffening: as for `edge_fall` [1].
         rig: behind, factor, length, gravity of `edge_fall`.
 
-    Raises ValueError for numbers that are not positive, and for a force that no factor of 0.2 to 5 gives.
+    Raises ValueError for numbers that are not positive, for another `measured`, and for a force that no
+    factor of 0.2 to 5 gives.
 
     Source: as `edge_fall`.
     """
     need("force", force, "N")
+    if measured not in ("mass", "anchor"):
+        raise ValueError(f"measured: {measured!r} - must be 'mass' or 'anchor'")
 
     def off(size: float) -> float:
         k = math.exp(size)

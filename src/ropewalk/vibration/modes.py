@@ -35,6 +35,7 @@ from ropewalk.vibration.linear import Linear, linearise
 from ropewalk.vibration.motion import TURNS, Motion, motions, plane_normal, turnings
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
 from ropewalk.vibration.turning import with_wheels
+from ropewalk.vibration.unrelaxed import relaxing_notes
 
 About = Literal["equilibrium", "start"]
 
@@ -107,7 +108,7 @@ class Modes:
             for body in self.scene.obstacles
             if is_free(body) and body.spin.bearing > 0.0  # type: ignore[union-attr]
         ]
-        return held + bump_notes(self)
+        return held + bump_notes(self) + relaxing_notes(self)
 
     @property
     def plot(self) -> ModePlots:

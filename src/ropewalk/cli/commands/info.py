@@ -60,8 +60,21 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
     print_table(("event", "at", "what"), [_event(event) for event in result.events])
     if result.diagnosis:
         say(result.diagnosis)
-    if result.status == "interrupted":
-        say(f"go on with: ropewalk resume {folder}")
+    if how := _going_on(result, folder):
+        say(f"go on with: ropewalk {how}")
+
+
+def _going_on(result: Result, folder: Path) -> str:
+    """Return the command that goes on with what was interrupted, "" where nothing was."""
+    if not result.facts.provenance.get("live"):
+        return f"resume {folder}" if result.status == "interrupted" else ""
+    from ropewalk.live.keeper import parts
+    from ropewalk.record.place import session_folder
+    from ropewalk.record.result import Result
+
+    whole = session_folder(folder)
+    interrupted = Result.open(parts(whole)[-1]).status == "interrupted"
+    return f"view {whole} --continue" if interrupted else ""
 
 
 def _verified(folder: Path) -> str:

@@ -26,6 +26,7 @@ _LABELS = {
     "friction_rock": "friction on rock",
     "friction_itself": "friction on itself",
     "torque_factor": "torque factor",
+    "straight_to": "straight up to a strain of",
 }
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ropewalk.scene import Scene
 
 RUNS = Path("runs")
+_MADE = ("figures", "csv", "parquet", "run.npz", "vtk", "page.html")  # of a run, in its folder
 _NAMED = 3  # partings that are told one by one
 
 quiet_option = click.option(
@@ -102,6 +103,9 @@ def run(
             overwrite=overwrite,
             quiet=quiet,
         )
+    left = [one for one in _MADE if overwrite and output is not None and (output / one).exists()]
+    if left and not quiet:
+        warn(f"{output}: {', '.join(left)} may be of the run before: make them anew")
     return conclude(result, warnings, as_json=as_json, quiet=quiet)
 
 

@@ -16,6 +16,9 @@ from ropewalk.cli.startup import without_scipy
 from ropewalk.words.prefixes import prefix_of, prefixed
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from ropewalk.core.arrays import Floats
     from ropewalk.record.result import Result
     from ropewalk.statics import RestSpan, Statics
 
@@ -56,7 +59,7 @@ def settle(
         with telling_of_compiling():
             model = build(loaded)
             rest, result = rest_and_result(model)
-            spans = rest_spans(model, result.positions[0], result.tension[0])
+            spans = rest_spans(model, result.positions[0], result.tension[0], rest.residual)
         if output is not None:
             result = result.save(output, overwrite=overwrite)
     if loaded.limiter is not None and not all(rope.rigid for rope in loaded.ropes):
@@ -99,7 +102,7 @@ def _print_spans(spans: tuple[RestSpan, ...]) -> None:
             f"{span.distance:.6g} m",
             span.sag_words(6),
             prefixed(span.horizontal, "N", 6) if span.kind == "span" else "",
-            prefixed(span.largest_tension, "N", 6),
+            span.pull_words(6),
         )
         for span in spans
     ]
@@ -108,14 +111,26 @@ def _print_spans(spans: tuple[RestSpan, ...]) -> None:
 
 
 def _print_anchors(result: Result) -> None:
+    anchors = range(len(result.layout.anchor_names))
+    _print_vectors(result, "anchor's force", "N", result.reactions[0], anchors)
+    if result.layout.clamped:
+        clamped = [i for i in anchors if result.scene.anchors[i].clamp is not None]
+        _print_vectors(result, "clamp's moment", "N m", result.moments[0], clamped)
+
+
+def _print_vectors(
+    result: Result, what: str, unit: str, vectors: Floats, anchors: Iterable[int]
+) -> None:
+    """Print what some anchors, by number, exert on ropes; `vectors` has those of all, (a, 3)."""
     rows = []
-    forces = result.reactions[0]
-    sizes = (forces**2).sum(axis=1) ** 0.5
+    sizes = (vectors**2).sum(axis=1) ** 0.5
     factor, prefix = prefix_of(float(sizes.max(initial=1.0)))
-    for name, force, size in zip(result.layout.anchor_names, forces, sizes, strict=True):
-        rows.append((name, *(f"{part / factor:.6g}" for part in (*force, size))))
+    for number in anchors:
+        parts = (*vectors[number], sizes[number])
+        name = result.layout.anchor_names[number]
+        rows.append((name, *(f"{part / factor:.6g}" for part in parts)))
     if rows:
-        columns = (f"anchor's force [{prefix}N]", "x", "y", "z", "size")
+        columns = (f"{what} [{prefix}{unit}]", "x", "y", "z", "size")
         print_table(columns, rows, right=range(1, 5))
 
 
@@ -137,5 +152,10 @@ def _facts(result: Result, spans: tuple[RestSpan, ...], rest: Statics) -> dict[s
         "pulleys": [pulley.as_dict() for pulley in rest.pulleys],
         "anchors": {
             name: list(force) for name, force in zip(names, result.reactions[0], strict=True)
+        },
+        "moments": {
+            anchor.name: list(moment)
+            for anchor, moment in zip(result.scene.anchors, result.moments[0], strict=True)
+            if anchor.clamp is not None
         },
     }

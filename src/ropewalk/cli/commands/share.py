@@ -27,7 +27,7 @@ from ropewalk.cli.run_argument import open_run, run_argument
 @click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
 def share(folder: Path, output: Path | None, fps: float, overwrite: bool) -> None:
     """Write the run in DIR as one HTML file that replays it, without server or network."""
-    open_run(folder)
+    open_run(folder, whole=True)
     path = output or folder / "page.html"
     if path.suffix.lower() not in (".html", ".htm"):
         raise Refusal(f"{path}: must end in .html")

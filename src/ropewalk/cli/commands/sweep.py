@@ -170,6 +170,7 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     from ropewalk.sweeps.repair import faults
     from ropewalk.sweeps.summary import summary
     from ropewalk.sweeps.sweep_folder import SweepFolder
+    from ropewalk.sweeps.uncertainty import FEW
 
     sweep = SweepFolder.open(folder)
     if checked and (wrong := faults(sweep)):
@@ -197,6 +198,10 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
         say(
             f"5 %, median and 95 % are of {found['sample']} runs, those of a plain sample of "
             f"{found['plain']} that ended well; all others, for Sobol indices, repeat its values"
+        )
+    if 0 < found["sample"] < FEW and any("quantiles" in one for one in found["kept"]):
+        say(
+            f"of {found['sample']} runs, 5 % and 95 % are hardly more than the least and the largest met"
         )
     causes = [(str(count), why) for why, count in found["causes"].items()]
     if causes:

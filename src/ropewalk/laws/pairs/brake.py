@@ -91,7 +91,10 @@ def brake_contact(x, v, inverse_mass, table, memory, row, most):
     closes, moves = closing(v, grip, row, i, j), 0.0
     for a in range(4):
         node = i + a if a < 2 else j + a - 2
-        moves += share_of(grip, row, a) ** 2 * inverse_mass[node]
+        light = inverse_mass[node]
+        if table.behind[node] > 0.0:
+            light /= 1.0 + light * table.behind[node]
+        moves += share_of(grip, row, a) ** 2 * light
     grip[row, BRAKE] = 0.0
     if not (closes > 0.0 and moves > 0.0):
         return 0.0

@@ -42,6 +42,7 @@ from ropewalk.laws.pairs.table import (
 )
 from ropewalk.laws.pairs.way import AGAIN, meet_pairs, quickest_closing
 from ropewalk.laws.pairs.wound import wind_pairs
+from ropewalk.laws.striking import pushes
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -81,6 +82,7 @@ def lower(
         stop=np.zeros(s),
         mass=np.zeros(s),
         load=np.zeros(layout.nodes if s else 0),
+        behind=np.zeros(layout.nodes if s else 0),
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
@@ -107,6 +109,9 @@ def lower(
         table.skip[here] = max(1, neighbours(rope))
         for load in rope.loads:
             table.load[layout.node(load.node, rope.name)] += load.mass
+        if pushes(rope):
+            own_masses = table.mass[span.first] + table.load[span.first : span.last + 1]
+            table.behind[span.first : span.last + 1] = np.maximum(mass - own_masses, 0.0)
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
     _note_joints(table, layout, ropes, joints)
     return _with_slides(table, layout, ropes, slides)

@@ -1,0 +1,88 @@
+"""The table of contacts adds up to the forces that were recorded, body by body and before the touch."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.record.moving_rows import axle_loads
+from ropewalk.scene import Plane, Scene, Straight, loads
+
+
+def test_what_comes_fast_is_in_the_table_before_it_touches() -> None:
+    """A damper stops it from some millimetres out; looked for is only what may be within its reach."""
+    scene = loads("""
+[run]
+duration = 0.05
+frame_rate = 1000
+method = "esdirk3"
+time_step = 0.001
+[[rope]]
+segments = 10
+length = 0.5
+diameter = 0.01
+made_of = { kind = "material", EA = 1e3, mass_per_length = 0.1 }
+shape = { kind = "straight", start = [-0.25, 0, 0.06], end = [0.25, 0, 0.06], velocity = [0, 0, -5] }
+[[obstacle]]
+name = "floor"
+kind = "plane"
+motion = { kind = "velocity", velocity = [0.3, 0, 0.2] }
+[[obstacle]]
+name = "wheel"
+kind = "cylinder"
+from = [0, -0.1, 0]
+to = [0, 0.1, 0]
+radius = 0.04
+spin = { free = true, inertia = 1e-4, rate = 20.0 }
+""")
+    result = rw.simulate(scene)
+    table = result.to_pandas("contacts")
+    parts = ["fx [N]", "fy [N]", "fz [N]"]
+    sums = table.groupby("time [s]")[parts].sum().reindex(np.asarray(result.time)).fillna(0.0)
+    whole = result.contact_force.sum(axis=1)
+    assert np.allclose(sums.to_numpy(), whole, rtol=1e-9, atol=1e-9)
+    gap = table["z [m]"] - 0.2 * table["time [s]"] - 0.005
+    assert (gap[table["obstacle"] == "floor"] > 1e-3).any()  # pushed, and not there yet
+    wheel = table[table["obstacle"] == "wheel"].groupby("time [s]")[parts].sum()
+    loads_ = np.linalg.norm(wheel.reindex(np.asarray(result.time)).fillna(0.0), axis=1)
+    assert loads_.max() > 0.0
+    assert np.allclose(
+        axle_loads(result, range(result.frames))[:, 0], loads_, rtol=1e-12, atol=1e-12
+    )
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "along"), [(45, 45, 0), (30, 60, 0), (20, 70, 0), (30, 60, 1)]
+)
+def test_in_a_groove_each_side_has_its_own_friction(left: int, right: int, along: int) -> None:
+    """What the contacts remember themselves: half of it was told, and 50 % of what friction can carry."""
+    slopes = np.radians([left, -right])
+    normals = np.stack([np.sin(slopes), np.zeros(2), np.cos(slopes)], axis=1)
+    x, z = np.linalg.solve(normals[:, [0, 2]], [0.005, 0.005])
+    rope = rw.Rope(
+        segments=10,
+        length=1.0,
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=0.1, axial_damping=20.0),
+        shape=Straight(start=(x, -0.5, z), end=(x, 0.5, z), velocity=(0, 1.0 * along, 0)),
+    )
+    sides = [
+        Plane(normal=tuple(one), friction=mu) for one, mu in zip(normals, (0.3, 0.2), strict=True)
+    ]
+    run = {"method": "esdirk3", "time_step": 0.004, "duration": 0.2}
+    simulation = rw.Simulation(Scene(ropes=[rope], obstacles=sides, run=run))
+    result = rw.simulate(simulation.scene)
+    while simulation.time < result.time[-1] - 1e-9:
+        simulation.step()
+    table = result.to_pandas("contacts")
+    last = table[table["time [s]"] == result.time[-1]]
+    parts = last[["fx [N]", "fy [N]", "fz [N]"]].to_numpy()
+    whole = result.contact_force[-1]
+    assert np.allclose(parts.reshape(11, 2, 3).sum(axis=1), whole, rtol=1e-9, atol=1e-12)
+    assert not along or last["slip speed [m/s]"].min() > 0.1
+    kept = simulation._state.memory.obstacle.grip[:, :3]  # (obstacle, axis, node)
+    sizes = last["friction force [N]"].to_numpy().reshape(11, 2)
+    for row in range(2):
+        assert np.allclose(sizes[:, row], np.linalg.norm(kept[row], axis=0), rtol=0.01)
+    assert last["friction used [1]"].max() <= 1.0 + 1e-9
