@@ -280,3 +280,23 @@ def test_without_dask_runs_are_made_here_and_it_is_told_once(
             assert same(made.tension_max.values, here.tension_max.values)
     words = [str(one.message) for one in told if issubclass(one.category, UserWarning)]
     assert [word[:34] for word in words] == ["this sweep runs in one process; wi"]
+
+
+def test_runs_that_are_made_outlive_a_cluster_that_is_slow_to_close(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    from distributed import LocalCluster
+
+    close = LocalCluster.close
+    late: list[bool] = []
+
+    def closing(cluster: Any, timeout: float | None = None) -> None:
+        close(cluster, timeout=timeout)
+        if not late:
+            late.append(True)
+            raise TimeoutError(f"timed out after {timeout} s.")
+
+    monkeypatch.setattr(LocalCluster, "close", closing)
+    made = rw.sweep(swing(0.02), {EA: STIFF}, keep="tension.max", on="local", workers=1)
+    assert late
+    assert np.isfinite(made.tension_max.values).all()

@@ -31,6 +31,7 @@ from ropewalk.sweeps.worker import (
 WORTH_A_CLUSTER = 10.0
 #: Times a batch is given to another worker after one died with it.
 _TRIES = 4
+_CLOSING = 30.0  # time that workers have to end [s]
 _MOST_TRIED = 64  # batches that are looked through, and runs whose kernels are compiled beforehand
 _AHEAD = 3  # batches in hand per worker's thread
 #: Messages that Dask keeps for its own diagnosis, with the values of a batch each; by default 1000.
@@ -147,7 +148,8 @@ def _local_cluster(workers: int | None) -> Iterator[Any]:
         try:
             yield cluster
         finally:
-            cluster.close(timeout=10)
+            with suppress(TimeoutError):  # the runs are made; late workers end with this process
+                cluster.close(timeout=_CLOSING)
 
 
 @contextmanager
