@@ -330,7 +330,7 @@ def _make(
         if _runs_here(on, work):
             engines.make_here(sink, iter(left), told)
             return
-        size = min(workers or 10**9, len(left)) if workers else None
+        size = min(workers, max(1, len(left))) if workers else None
         with engines.client_of(on, size, bar.note) as client:
             engines.make_with(client, sink, folder, iter(left), told)
 
