@@ -111,8 +111,16 @@ def _frictions(scene: Scene) -> list[str]:
     """Coefficients of Coulomb's friction, of obstacles, ropes on ropes and what slides."""
     given = [(f"obstacle[{i}].friction", one.friction) for i, one in enumerate(scene.obstacles)]
     given += [(f"slide[{i}].friction", one.friction) for i, one in enumerate(scene.slides)]
+    given += [(f"rope[{i}].friction", one.friction) for i, one in enumerate(scene.ropes)]
+    given += [
+        (f"obstacle[{i}].pair[{k}].friction", pair.friction)
+        for i, one in enumerate(scene.obstacles)
+        for k, pair in enumerate(one.pairs)
+    ]
     if scene.contact is not None:
         given.append(("contact.friction", scene.contact.friction))
+        pairs = enumerate(scene.contact.pairs)
+        given += [(f"contact.pair[{k}].friction", pair.friction) for k, pair in pairs]
     return [
         f"{path}: {value:g} is rougher than any rope on anything (0.1 to 1.5); a percentage, or an angle? "
         f"{value:g} % is {0.01 * value:g}"

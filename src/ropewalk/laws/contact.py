@@ -145,7 +145,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 power = rx * (lx + gx) + ry * (ly + gy) + rz * (lz + gz)
                 memory.given[i] += max(dt * power, 0.0)
             turn = turn_towards(x, i, nx, ny, nz, stiffness)
-            grip[GRIP, i] = on_polygon(obstacles.friction[o], turn)
+            grip[GRIP, i] = on_polygon(obstacles.friction[o, i], turn)
     keep_wheels(obstacles, memory, dt)
     for k in range(3):
         for i in range(n):

@@ -85,7 +85,7 @@ class Obstacles(NamedTuple):
     # [1]; a mesh as `triangles` has it
     size: Floats
     thin: Floats  # (k,) least half thickness of the solid [m], inf without another side
-    friction: Floats  # (k,) [1]
+    friction: Floats  # (k, n) coefficients, as the nodes' ropes have them [1]
     spin: Floats  # (k, 3) [rad/s], start and stop [s]
     motion: Motions  # of `center`
     turns: Motions  # x is the angle about the axis [rad], besides that of `spin`
@@ -139,7 +139,8 @@ def lower(
     places = [place_of(body) for body in bodies]
     count, n = len(bodies), layout.nodes
     own, mass, struck, thickness, most = np.zeros((5, n))
-    diameter, firm, firmly = np.ones(n), np.zeros((count, n)), np.ones(n)
+    diameter, firmly = np.ones(n), np.ones(n)
+    firm, friction = np.zeros((2, count, n))
     for rope, span, all_mass in zip(ropes, layout.ropes, whole, strict=True) if bodies else ():
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
         stiff, weight = node_stiffness(rope, all_mass)
@@ -152,6 +153,7 @@ def lower(
         thickness[nodes], diameter[nodes] = radius_of(rope), rope.diameter
         for row, body in enumerate(bodies):
             firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
+            friction[row, nodes] = body.friction_with(rope)
     stiffness, hard = _stiffness(bodies, own, firm, most)
     centers, hubs, motion = wherever(bodies, places)
     wheels = wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64))
@@ -166,7 +168,7 @@ def lower(
         | np.array(levers, dtype=bool),
         size=size_rows([place[2] for place in places]),
         thin=np.array([half_thickness(body) for body in bodies], dtype=np.float64),
-        friction=np.array([body.friction for body in bodies], dtype=np.float64),
+        friction=friction,
         spin=np.array([spin_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         motion=motion,
         turns=motion_rows([turning_of(body) for body in bodies], np.zeros((count, 3))),

@@ -21,10 +21,10 @@ def posts_of(model: Model) -> dict[str, Any]:
     scene = model.scene
     if not scene.obstacles:
         return {"posts": [], "lines": []}
-    return {"posts": [_post(body) for body in scene.obstacles], "lines": _lines(model)}
+    return {"posts": [_post(scene, body) for body in scene.obstacles], "lines": _lines(model)}
 
 
-def _post(body: Any) -> dict[str, Any]:
+def _post(scene: Scene, body: Any) -> dict[str, Any]:
     center, axis, size = place_of(body)
     long = body.kind in ("cylinder", "capsule") and np.isfinite(size[1])
     return {
@@ -33,7 +33,7 @@ def _post(body: Any) -> dict[str, Any]:
         "axis": [float(value) for value in axis],
         "radius": float(size[0]),
         "half": float(size[1]) if long else None,  # JSON has no infinity
-        "friction": body.friction,
+        "friction": body.friction_with(scene.ropes[0]),
         "compliance": body.compliance,
     }
 
@@ -68,4 +68,8 @@ def refused_posts(scene: Scene) -> list[tuple[str, str]]:
             found.append((f"{path}.spin", "obstacles that turn"))
         if body.motion.kind != "fixed":
             found.append((f"{path}.motion", "obstacles that move"))
+        if len({body.friction_with(rope) for rope in scene.ropes}) > 1:
+            found.append(
+                (f"{path}.friction", "obstacles that are rougher to some ropes than to others")
+            )
     return found

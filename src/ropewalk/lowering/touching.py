@@ -94,7 +94,7 @@ def contacts_at(
         if not push > 0.0:
             continue
         turn = turn_towards(x, i, *direction, stiffness)
-        friction = on_polygon(table.friction[o], turn)
+        friction = on_polygon(table.friction[o, i], turn)
         along = over[o, j] - normal * (normal @ over[o, j])
         rows.append((o, i, normal, push, friction, along, turn))
     return _shared(rows, force)

@@ -78,7 +78,8 @@ def coils(result: Result, frame: int) -> list[Coil]:
                     bend[nodes] = contacts.turn[rows]
                     turned = np.concatenate([[0.0], np.cumsum(bend[first : last + 1])])
                     along = pull[first - 1 : last + 1]
-                    found.append(Coil(span.name, body.name, body.friction, first, turned, along))
+                    mu = body.friction_with(result.scene.rope_named(span.name))
+                    found.append(Coil(span.name, body.name, mu, first, turned, along))
     ropes = [span.name for span in result.layout.ropes]
     return sorted(found, key=lambda coil: (ropes.index(coil.rope), coil.first))
 

@@ -211,6 +211,7 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
             own = (contacts.node >= span.start) & (contacts.node <= span.end)
             for o in np.unique(contacts.obstacle[own]):
                 body = result.scene.obstacles[o]
+                mu = body.friction_with(result.scene.rope_named(span.name))
                 for here in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
                     if not np.isin(contacts.node[here], wanted).any():
                         continue
@@ -220,7 +221,10 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
                     found.append(
                         (
                             *(result.time[frame], span.name, body.name, *lies),
-                            *(high / low if low > 0.0 else np.nan, np.exp(body.friction * angle)),
+                            *(
+                                high / low if low > 0.0 else np.nan,
+                                np.exp(mu * angle),
+                            ),
                             *(contacts.push[here].sum(), power[here].sum()),
                         )
                     )

@@ -16,6 +16,7 @@ from ropewalk.record.quantities import ROPE_CONTACTS as NAME
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
 
 HEADERS = (
     *("time [s]", "rope", "segment", "other rope", "other segment"),
@@ -47,8 +48,6 @@ def rope_rows(result: Result, frames: Iterable[int], segments: Ints) -> list[NDA
 def _of_frame(
     result: Result, time: float, x: Floats, v: Floats, pair: Ints, kept: Floats
 ) -> tuple[NDArray[np.generic], ...]:
-    contact = result.scene.contact
-    friction = 0.0 if contact is None else contact.friction
     first, second = _points(x, pair[:, 0], kept[:, 2]), _points(x, pair[:, 1], kept[:, 3])
     normal = first - second
     normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
@@ -57,14 +56,15 @@ def _of_frame(
     push, force = kept[:, 4], kept[:, 5:8]
     rub = np.sqrt(np.maximum((force**2).sum(axis=1) - push**2, 0.0))
     rub[rub < 1e-7 * push] = 0.0  # what rounding leaves
+    labels = [[result.layout.rope_of(int(j)) for j in side] for side in pair.T]
+    whose = [np.array([name for name, _ in side], dtype=object) for side in labels]
+    which = [np.array([number for _, number in side], np.int64) for side in labels]
+    friction = _frictions(result.scene, *whose)
     most = friction * push
     used = np.divide(rub, most, out=np.zeros_like(rub), where=most > 0.0)
     speed = np.linalg.norm(over, axis=1)
     slips = (speed > STILL) & ((used >= ALL) | (friction == 0.0))
     across = force - (force * normal).sum(axis=1)[:, None] * normal
-    labels = [[result.layout.rope_of(int(j)) for j in side] for side in pair.T]
-    whose = [np.array([name for name, _ in side], dtype=object) for side in labels]
-    which = [np.array([number for _, number in side], np.int64) for side in labels]
     return (
         *(np.full(len(pair), time), whose[0], which[0], whose[1], which[1]),
         *(0.5 * (first + second)).T,
@@ -72,6 +72,16 @@ def _of_frame(
         WORDS[np.where(slips, SLIPS, STICKS)],
         *force.T,
     )
+
+
+def _frictions(scene: Scene, first: Iterable[str], second: Iterable[str]) -> Floats:
+    """Return the coefficients of friction of ropes by name, (c,) [1]."""
+    if scene.contact is None:
+        return np.zeros(len(list(first)))
+    place = {rope.name: number for number, rope in enumerate(scene.ropes)}
+    one, other = ([place[name] for name in side] for side in (first, second))
+    found: Floats = scene.contact.frictions(scene.ropes)[one, other]
+    return found
 
 
 def _points(values: Floats, segments: Ints, at: Floats) -> Floats:

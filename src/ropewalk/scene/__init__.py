@@ -23,6 +23,7 @@ from ropewalk.scene.overrides import apply_overrides
 from ropewalk.scene.ring import Ring
 from ropewalk.scene.rope import Material, Rope, Springs
 from ropewalk.scene.rope_contact import Contact
+from ropewalk.scene.rubbing import Pair, RopePair
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.scene import Scene
 from ropewalk.scene.shapes import Hanging, Points, Polyline, Shape, Slack, Straight
@@ -67,12 +68,14 @@ __all__ = [
     "NeoHookeanCurve",
     "Obstacle",
     "Orbit",
+    "Pair",
     "Plane",
     "Points",
     "Polyline",
     "PolynomialCurve",
     "Ring",
     "Rope",
+    "RopePair",
     "RunSettings",
     "Scene",
     "SceneError",

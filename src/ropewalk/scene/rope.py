@@ -33,6 +33,7 @@ from ropewalk.scene.from_library import filled, with_diameter
 from ropewalk.scene.guess import Guess
 from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.limits import MOST_SEGMENTS
+from ropewalk.scene.rubbing import coefficient
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 from ropewalk.scene.solid_fields import relaxation_time, relaxing_EA, solid_faults
 from ropewalk.scene.tension_curves import Curve, curve_fault, with_curve
@@ -182,6 +183,11 @@ class Rope(Model):
     )
     diameter: Number = positive(
         "Diameter, for quadratic air drag and, where given, for obstacles", "m", default=0.01
+    )
+    friction: Number = coefficient(
+        "Coefficient of friction of its surface, Coulomb's, on obstacles and ropes: the larger of this and "
+        "theirs holds",
+        default=0.0,
     )
     shape: Shape = Field(default=Straight(), description="Initial shape")
     loads: Many[Load] = listed("Extra masses at nodes", "load", "loads", default=())

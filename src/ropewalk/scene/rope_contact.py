@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ropewalk.scene.base import Model, Number, positive, quantity
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.scene.base import Many, Model, Number, listed, positive
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope
-from ropewalk.scene.solid import MOST_FRICTION
+from ropewalk.scene.rubbing import RopePair, coefficient
 
 
 class Contact(Model):
@@ -16,12 +19,15 @@ class Contact(Model):
     Every rope needs the diameter of its material.
     """
 
-    friction: Number = quantity(
-        "Coefficient of friction of rope on rope, Coulomb's",
-        "1",
+    friction: Number = coefficient(
+        "Coefficient of friction of rope on rope, Coulomb's; the largest of this and both ropes' own holds",
         default=0.2,
-        ge=0,
-        le=MOST_FRICTION,
+    )
+    pairs: Many[RopePair] = listed(
+        "Coefficients of friction of two ropes each, which hold instead",
+        "pair",
+        "pairs",
+        default=(),
     )
     compliance: Number | None = positive(
         "How far two ropes are pressed into each other per force, across and along; by default as little as "
@@ -29,6 +35,16 @@ class Contact(Model):
         "m/N",
         default=None,
     )
+
+    def frictions(self, ropes: Sequence[Rope]) -> Floats:
+        """Return the coefficients of friction of r ropes on each other and on themselves, (r, r) [1]."""
+        own = np.array([rope.friction for rope in ropes])
+        found: Floats = np.maximum(self.friction, np.maximum(own[:, None], own))
+        names = {rope.name: number for number, rope in enumerate(ropes)}
+        for pair in self.pairs:
+            one, other = names[pair.rope], names[pair.other]
+            found[one, other] = found[other, one] = pair.friction
+        return found
 
 
 def contact_faults(contact: Contact | None, ropes: Sequence[Rope]) -> list[Fault]:

@@ -20,6 +20,7 @@ from ropewalk.scene.obstacles import Obstacle
 from ropewalk.scene.paths import root_of_paths
 from ropewalk.scene.rope import Rope, Springs
 from ropewalk.scene.rope_contact import Contact, contact_faults
+from ropewalk.scene.rubbing import pair_faults
 from ropewalk.scene.run_settings import RunSettings
 from ropewalk.scene.slide import Slide, slide_faults
 from ropewalk.scene.winch import Winch
@@ -182,6 +183,7 @@ class Scene(Model):
         names = (body.name or f"obstacle{i}" for i, body in enumerate(self.obstacles))
         refuse(obstacle_faults(names))
         refuse(contact_faults(self.contact, self.ropes))
+        refuse(pair_faults(self.obstacles, self.contact, self.ropes))
         refuse(slide_faults(self.slides, self.ropes, self.winches))
         self._fill_in_names()
         self._fill_in_method()

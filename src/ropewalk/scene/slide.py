@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from pydantic import Field
 
-from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive, quantity
+from ropewalk.scene.base import NAME, Model, Number, Text, Whole, not_negative, positive
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope, node_range
-from ropewalk.scene.solid import MOST_FRICTION
+from ropewalk.scene.rubbing import coefficient
 from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
 
@@ -42,12 +42,8 @@ class Slide(Model):
         "m",
         default=None,
     )
-    friction: Number = quantity(
-        "Force along the rope over that across it, Coulomb's: what resists the rolling",
-        "1",
-        default=0.0,
-        ge=0,
-        le=MOST_FRICTION,
+    friction: Number = coefficient(
+        "Force along the rope over that across it, Coulomb's: what resists the rolling", default=0.0
     )
     brake: Number = not_negative("Constant force that brakes it, and holds it", "N", default=0.0)
     brake_from: Number = not_negative(

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field
 
-from ropewalk.scene.base import NAME, Model, Number, Text, positive, quantity
+from ropewalk.scene.base import NAME, Many, Model, Number, Text, listed, positive
 from ropewalk.scene.motions import Fixed, Told
+from ropewalk.scene.rubbing import Pair, coefficient
 
-#: A coefficient of friction beyond this is a slip of the pen.
-MOST_FRICTION = 100.0
+if TYPE_CHECKING:
+    from ropewalk.scene.rope import Rope
 
 BodyMotion = Annotated[Told, Field(discriminator="kind")]
 
@@ -24,8 +25,15 @@ class Body(Model):
         max_length=60,
         description='Name; default "obstacle0", "obstacle1" ..',
     )
-    friction: Number = quantity(
-        "Coefficient of friction, Coulomb's", "1", default=0.3, ge=0, le=MOST_FRICTION
+    friction: Number = coefficient(
+        "Coefficient of friction, Coulomb's; the larger of this and the rope's own holds",
+        default=0.3,
+    )
+    pairs: Many[Pair] = listed(
+        "Coefficients of friction with single ropes, which hold instead",
+        "pair",
+        "pairs",
+        default=(),
     )
     compliance: Number | None = positive(
         "How far a node is pressed in per force, across and along; by default as little as the rope's "
@@ -39,3 +47,10 @@ class Body(Model):
         description="How it moves, its middle (of a plane its point) as the node of an anchor; its direction "
         "is changed by spin only",
     )
+
+    def friction_with(self, rope: Rope) -> float:
+        """Return the coefficient of friction of a rope on this body [1]."""
+        for pair in self.pairs:
+            if pair.rope == rope.name:
+                return pair.friction
+        return max(self.friction, rope.friction)

@@ -20,6 +20,7 @@ from ropewalk.scene.slide import Slide
 from ropewalk.scene.spin import Spin
 from ropewalk.scene.winch import Winch
 from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.sheets.frictions import friction_between, friction_on
 from ropewalk.words.prefixes import prefixed
 
 _MOST = 6  # kinds of ropes that have a table, and names of ropes alike
@@ -200,7 +201,7 @@ def assumption_section(scene: Scene) -> Section:
         _joints(scene),
         *map(_winch, scene.winches),
         *map(_slide, scene.slides),
-        *map(_obstacle, scene.obstacles),
+        *(_obstacle(scene, body) for body in scene.obstacles),
         _touching(scene),
         _parting(scene),
     ]
@@ -299,10 +300,9 @@ def _times(one: Winch | Spin) -> str:
     return (f" from {one.start:g} s" if one.start else "") + until
 
 
-def _obstacle(body: Obstacle) -> str:
+def _obstacle(scene: Scene, body: Obstacle) -> str:
     touched = (
-        f"Nodes of ropes touch the {body.kind} {body.name!r} with a coefficient of friction of "
-        f"{body.friction:g}"
+        f"Nodes of ropes touch the {body.kind} {body.name!r} with {friction_on(body, scene.ropes)}"
     )
     moves = [] if body.motion.kind == "fixed" else [f"moves ({body.motion.kind})"]
     return f"{touched}{'; it ' if (moves := moves + _turns(body)) else ''}{' and '.join(moves)}."
@@ -326,8 +326,7 @@ def _turns(body: Obstacle) -> list[str]:
 def _touching(scene: Scene) -> str:
     if scene.contact is None:
         return ""
-    rubs = f"with a coefficient of friction of {scene.contact.friction:g}"
-    return f"Ropes touch each other and themselves {rubs}."
+    return f"Ropes touch each other and themselves with {friction_between(scene.contact, scene.ropes)}."
 
 
 def _parting(scene: Scene) -> str:

@@ -45,7 +45,7 @@ class Couplings:
         self.system, self.state = system, state
         self.acts = any(law.couple is not None for law, _ in acting(system))
         self._network = self._make_network() if self.acts else None
-        self.touch, self.slide = bool(system.node.contact.friction.size), system.node.slide
+        self.touch, self.slide = bool(system.node.contact.radius.size), system.node.slide
 
     def _make_network(self) -> Network:
         state, memory = self.state, self.state.memory
@@ -111,7 +111,9 @@ class Couplings:
             return np.zeros(0, bool)
         contact = self.state.memory.contact
         grip = contact.grip[: contact.tally[CONTACTS]]
-        most = float(self.system.node.contact.friction[0]) * grip[:, PUSH]
+        table = self.system.node.contact
+        first, second = table.rope[contact.pair[: len(grip)].T]
+        most = table.friction[first, second] * grip[:, PUSH]
         rub = np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
         return np.asarray((most == 0.0) | (rub >= SLIPS * most))
 
@@ -141,7 +143,7 @@ class Couplings:
     def _without_friction(self) -> Couplings:
         """Return the contacts of ropes alone, and none of them holds along the surface."""
         table, memory = self.system.node.contact, self.state.memory.contact
-        table = table._replace(friction=np.zeros(1))
+        table = table._replace(friction=np.zeros_like(table.friction))
         memory.grip[: memory.tally[CONTACTS], SPRING : SPRING + 3] = (
             _ASKEW  # more than no friction holds
         )

@@ -136,10 +136,12 @@ def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touc
     count = int(contact.tally[CONTACTS])
     rows = np.flatnonzero(contact.grip[:count, PUSH] > 0.0)
     pair, grip = contact.pair[rows], contact.grip[rows]
-    mu, found = model.scene.contact.friction, []
+    table, found = model.system.node.contact, []
+    friction = table.friction[table.rope[pair[:, 0]], table.rope[pair[:, 1]]]
     push, normal = grip[:, PUSH], grip[:, NORMAL : NORMAL + 3]
     rub = np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
     for here in _clusters(pair):
+        mu = float(friction[here].max())
         use = float((rub[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
         pressed = push[here, None] * normal[here]
         one = _strand(model, x, tension, pair[here, 0], pressed, mu)

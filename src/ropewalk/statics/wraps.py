@@ -41,7 +41,7 @@ class Wrap:
     most: float
     backward: bool  # whether they are of the tension before
     use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
-    friction: float  # the obstacle's coefficient [1]
+    friction: float  # coefficient of both [1]
 
     @property
     def share(self) -> float:
@@ -175,7 +175,7 @@ def _wrap(
         most=most,
         backward=back,
         use=float(contacts.use[rows].max()),
-        friction=body.friction,
+        friction=body.friction_with(model.scene.rope_named(rope.name)),
     )
 
 

@@ -36,6 +36,7 @@ from ropewalk.laws.pairs.table import (
     apart,
     between,
     depth_of,
+    friction_of,
     lever_of,
     share_of,
     spring_of,
@@ -113,7 +114,7 @@ def add_pair_forces(x, v, table, memory, force):
         drag, _ = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
         q = pull_of(grip, row, u, w, drag)
         total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-        bound = table.friction[0] * push
+        bound = friction_of(table, i, j) * push
         share = bound / total if total > bound else 1.0
         rub = (share * q[0], share * q[1], share * q[2])
         for a in range(4):

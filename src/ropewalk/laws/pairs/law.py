@@ -73,7 +73,7 @@ def lower(
     """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg]."""
     s = layout.segments if contact is not None else 0
     table = Pairs(
-        friction=np.zeros(min(s, 1)),
+        friction=np.zeros((0, 0)) if contact is None else contact.frictions(ropes),
         skin=np.zeros(1),
         radius=np.zeros(s),
         lever=np.zeros(s),
@@ -91,7 +91,6 @@ def lower(
     )
     if contact is None:
         return table
-    table.friction[0] = contact.friction
     for number, (rope, span, mass) in enumerate(zip(ropes, layout.ropes, whole, strict=True)):
         here = slice(span.first, span.last)
         own, table.mass[here] = node_stiffness(rope, mass)
@@ -169,7 +168,7 @@ def _with_slides(
 
 def acts(table: Pairs) -> bool:
     """Tell whether ropes touch each other."""
-    return len(table.friction) > 0
+    return len(table.radius) > 0
 
 
 def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:

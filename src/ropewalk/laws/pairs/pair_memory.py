@@ -44,6 +44,7 @@ from ropewalk.laws.pairs.table import (
     apart,
     between,
     depth_of,
+    friction_of,
     spring_of,
 )
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
@@ -90,7 +91,7 @@ def hold(x, v, table, memory, row):
     push = max(push, 0.0)
     q = pull_of(grip, row, u, w, 0.0)
     total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-    bound = table.friction[0] * push
+    bound = friction_of(table, i, j) * push
     share = bound / total if total > bound else 1.0
     depth = depth_of(grip, row, u, size)
     grip[row, PUSH] = push
@@ -165,7 +166,7 @@ def refresh(x, y, table, memory, row, tied):
     if distance >= REACH * size or memory.rope[i] < 0 or memory.rope[j] < 0:
         grip[row, GONE] = 1.0
         return
-    if slips(memory, row, table.friction[0]) and lead(x, y, table, memory, row, tied):
+    if slips(memory, row, friction_of(table, i, j)) and lead(x, y, table, memory, row, tied):
         return
     if not is_right(x, memory, row, size, distance):
         if owns(x, x, 0.0, table, memory, tied, i, j, s, t):

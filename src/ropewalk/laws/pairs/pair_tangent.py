@@ -24,6 +24,7 @@ from ropewalk.laws.pairs.table import (
     STIFF,
     apart,
     depth_of,
+    friction_of,
     lever_of,
     share_of,
     spring_of,
@@ -45,10 +46,11 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     own = weight_x * grip[row, STIFF] + weight_v * across
     q = pull_of(grip, row, u, w, across)
     total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-    bound = table.friction[0] * push
+    friction = friction_of(table, i, j)
+    bound = friction * push
     share, more, over = 1.0, 0.0, 0.0
     if total > bound:
-        share, more, over = bound / total, table.friction[0] * drop, 1.0 / total
+        share, more, over = bound / total, friction * drop, 1.0 / total
     s0, s1, s2 = over * q[0], over * q[1], over * q[2]
     side, ahead = share * own, -share * own
     rise, slide = dot3(n, w), s0 * w[0] + s1 * w[1] + s2 * w[2]

@@ -52,7 +52,7 @@ SEGMENT, SLIDE, FROM, TO, WITHIN, NODE, START = range(7)
 class Pairs(NamedTuple):
     """Segments as contacts see them, one row each; (0,) without contact."""
 
-    friction: Floats  # (1,) coefficient of friction [1]; (0,) without contact
+    friction: Floats  # (r, r) coefficients of friction of ropes on each other [1]
     skin: Floats  # (1,) how far lists of pairs look ahead [m]
     radius: Floats  # (s,) [m]
     lever: Floats  # (s,) largest lever: radius over length at rest, for the most lean [1]
@@ -84,6 +84,12 @@ class Memory(NamedTuple):
     way: Floats  # (3, n) in the last step [m]
     books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
+
+
+@small
+def friction_of(table, i, j):
+    """Return the coefficient of friction of two segments [1]."""
+    return table.friction[table.rope[i], table.rope[j]]
 
 
 @small
