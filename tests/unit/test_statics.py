@@ -21,7 +21,7 @@ from ropewalk.scene import (
     Springs,
     Straight,
 )
-from ropewalk.statics import Statics, rest, static_shape
+from ropewalk.statics import RestSpan, Statics, rest, static_shape
 
 G = 9.81
 
@@ -348,3 +348,39 @@ def test_a_sag_is_told_from_the_ends_where_the_line_between_them_is_nearly_uprig
     assert 0.0 < span.sag < 1.25
     if not wind:
         assert span.sag > 1.25 - 0.075
+
+
+@pytest.mark.parametrize("offset", [0.0, 1e-10, 1e-7])
+@pytest.mark.parametrize("height", [5.0, -5.0])
+def test_a_plumb_span_sags_below_its_lower_end_and_rises_above_its_higher_one(
+    offset: float, height: float
+) -> None:
+    """It was told to rise by its whole height; a loop that hangs 1.5 m low rose 2 m."""
+    wire = Material(EA=1e6, mass_per_length=0.1)
+
+    def span_of(length: float, gravity: float) -> RestSpan:
+        drawn = Straight(end=(offset, 0.0, height))
+        rope = Rope(segments=80, length=length, made_of=wire, shape=drawn)
+        held = [Anchor(node=0), Anchor(node=-1)]
+        source = Scene(ropes=[rope], anchors=held, gravity=(0.0, 0.0, gravity))
+        (span,) = static_shape(source).spans
+        return span
+
+    for gravity in (-G, G):
+        taut = span_of(5.0, gravity)
+        assert max(taut.sag, taut.rise) < 1e-4
+        loop = span_of(8.0, gravity)  # 1.5 m beyond the end, down or up
+        assert loop.sag == pytest.approx(1.5, abs=0.11)
+        assert loop.rise < 1e-4
+
+
+def test_a_tail_on_the_ground_does_not_hang_free() -> None:
+    """2 m of 6 hang, and 4 lie: it was told to hang free, 4.473 m long, which its ends are apart."""
+    wire = Material(EA=1e6, mass_per_length=0.1)
+    rope = Rope(segments=12, length=6.0, made_of=wire, shape=Straight(end=(6.0, 0.0, 0.0)))
+    low = Scene(ropes=[rope], anchors=[Anchor(node=0)], ground=Ground(height=-2.0, repulsion=1e4))
+    (lies,) = static_shape(low).spans
+    assert lies.words.startswith("nodes 0 to 12 hang or lie, 6 m of rope, its tip 4.")
+    assert "hang free" not in str(lies)
+    (hangs,) = static_shape(low.replace(ground=None)).spans
+    assert hangs.words == "nodes 0 to 12 hang free, 6 m long"

@@ -83,7 +83,7 @@ def rest_section(
         (
             f"{span.rope}, nodes {span.first} to {span.last}",
             f"{span.distance:.5g} m",
-            span.sag_words(4) or "hangs free",
+            span.sag_words(4) or f"hangs {'free' if span.straight else 'or lies'}",
             prefixed(span.horizontal, "N") if span.kind == "span" else "",
             span.pull_words(4),
         )

@@ -18,6 +18,9 @@ from ropewalk.statics.tied import tied_nodes
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.pushes import largest_push
 
+_STRAIGHT = 1e-6  # share of a tail's length that it may lack and hang straight [1]
+_PLUMB = 1e-6  # slope from the upright up to which ends stand above each other [1]
+
 
 @dataclass(frozen=True)
 class RestSpan:
@@ -29,8 +32,10 @@ class RestSpan:
     last: int
     distance: float  # between its ends at rest [m]
     length: float  # unstretched [m]
-    sag: float  # largest drop below the straight line between its ends, along gravity [m]
-    rise: float  # largest height above that line [m]: of a rope that floats up
+    # largest drop below the straight line between its ends, along gravity [m]; below the lower end where one
+    # stands above the other
+    sag: float
+    rise: float  # largest height above that line, or the higher end [m]: of a rope that floats up
     lowest: float  # height of its lowest node above its first one [m], 0 or negative
     horizontal: (
         float  # part across gravity of what it carries at its lowest node [N]: see `_horizontal`
@@ -43,14 +48,25 @@ class RestSpan:
         """What hangs how, without the rope's name."""
         where = f"nodes {self.first} to {self.last}"
         if self.kind == "tail":
-            return f"{where} hang free, {self.distance:.4g} m long"
+            return f"{where} {self._tail}"
         return f"{self.hangs} over {self.distance:.4g} m, {where}"
 
     def __str__(self) -> str:
         where = f"nodes {self.first} to {self.last} of rope {self.rope!r}"
         if self.kind == "tail":
-            return f"{where} hang free, {self.distance:.4g} m long"
+            return f"{where} {self._tail}"
         return f"{where} {self.hangs} over {self.distance:.4g} m"
+
+    @property
+    def straight(self) -> bool:
+        """Whether its ends are as far apart as it is long: a tail that hangs, and lies nowhere."""
+        return self.distance >= self.length * (1.0 - _STRAIGHT)
+
+    @property
+    def _tail(self) -> str:
+        if self.straight:
+            return f"hang free, {self.distance:.4g} m long"
+        return f"hang or lie, {self.length:.4g} m of rope, its tip {self.distance:.4g} m away"
 
     @property
     def hangs(self) -> str:
@@ -124,11 +140,11 @@ def _measure(
     ends = from_first[-1]
     rise = float(heights[-1])
     across = float(np.linalg.norm(level[-1]))
-    if across <= 1e-9 * float(np.linalg.norm(ends)):  # above each other, but for rounding
+    if across <= _PLUMB * float(np.linalg.norm(ends)):
         across = 0.0
-        chord = np.full(heights.size, min(rise, 0.0))
-    else:
-        chord = np.clip(level @ level[-1] / across**2, 0.0, 1.0) * rise  # beyond an end: that end
+        chord, over = (np.full(heights.size, end(rise, 0.0)) for end in (min, max))
+    else:  # beyond an end: that end
+        chord = over = np.clip(level @ level[-1] / across**2, 0.0, 1.0) * rise
     steps = np.diff(points, axis=0)
     sizes = np.linalg.norm(steps, axis=1)
     flat = steps - np.outer(steps @ up, up)
@@ -144,7 +160,7 @@ def _measure(
         distance=float(np.linalg.norm(ends)),
         length=float(model.state.rest_length[low:high].sum()),
         sag=0.0 if free else max(0.0, float((chord - heights).max())),
-        rise=0.0 if free else max(0.0, float((heights - chord).max())),
+        rise=0.0 if free else max(0.0, float((heights - over).max())),
         lowest=float(heights.min()) if gravity > 0.0 else 0.0,
         horizontal=0.0
         if free
