@@ -202,3 +202,21 @@ def test_a_rope_that_may_carry_more_than_it_can_is_warned_of() -> None:
         said = [text for text in found.warnings if "its breaking load" in text]
         assert bool(said) is warned
         assert not warned or "with the least of it 103 %" in said[0]
+
+
+def test_a_line_says_how_near_to_breaking_the_stiff_end_of_a_guess_brings_it() -> None:
+    """It told tensions at the ends of a guessed EA, and utilisation of its middle alone."""
+    made_of = rw.Material.of_wire("locked coil", "30 mm", guesses=True)
+    (EA, load) = (guesses_of(made_of)[name] for name in ("EA", "breaking_load"))
+    line = rw.line(10.0, 0.0, made_of, length=10.0, gravity=9.81)
+    stiff = line.with_EA(EA.high)
+    pulls = max(stiff.tensions), float(stiff.rolling(20000.0).largest_tension.max())
+    for pull, said in zip(pulls, (line.lines(), line.rolling(20000.0).lines()), strict=True):
+        share = 100.0 * pull / load.value
+        least = share * load.value / load.low
+        words = f"utilisation up to {share:.3g} %, with the least of the guessed breaking load {least:.3g} %"
+        assert words in " ".join(said)
+    known = rw.line(10.0, 0.0, made_of.replace(breaking_load=1e6), length=10.0)
+    assert "of the guessed breaking load" not in str(known)
+    unknown = rw.line(10.0, 0.0, made_of.replace(breaking_load=None), length=10.0)
+    assert "utilisation" not in str(unknown)

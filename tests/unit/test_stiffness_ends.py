@@ -51,6 +51,20 @@ def test_how_near_to_breaking_a_guessed_stiffness_may_bring_a_rope_is_told() -> 
     assert rows["largest utilisation, in the run"] == rows["largest utilisation, at rest"] == told
 
 
+def test_the_least_of_a_guessed_breaking_load_counts_at_the_stiff_end() -> None:
+    """20 % stood for 25: the summary of the ends took the breaking load as it was guessed."""
+    stiff = Guess(of="EA", value=4e4, low=2e4, high=2e6)
+    load = Guess(of="breaking_load", value=1e5, low=8e4, high=1.2e5)
+    job = rw.sheet(taut(stiff, load, breaking_load=1e5), run=False)
+    told = " ".join(warnings(job))
+    assert "with the least of a guessed breaking load up to 25 % (safety factor 4)" in told
+    rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
+    worst = rows["largest utilisation with the least of a guessed breaking load, at rest"]
+    assert [one.partition(" (")[0] for one in worst] == ["0.5 %", "0.25 %", "25 %"]
+    known = rw.sheet(taut(stiff, breaking_load=1e5), run=False)
+    assert "least of a guessed" not in " ".join(warnings(known))
+
+
 def test_an_end_that_no_rope_can_have_is_said_to_fail() -> None:
     relaxes = {"relaxing_EA": 1e4, "relaxation_time": 0.1}
     guess = Guess(of="relaxing_EA", value=1e4, low=0.0, high=2e4)

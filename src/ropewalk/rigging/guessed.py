@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ropewalk.rigging.words import force
+from ropewalk.rigging.words import force, most_used
 from ropewalk.scene import SceneError
 from ropewalk.scene.guess import guesses_of
 
@@ -41,6 +41,7 @@ def line_notes(line: Line) -> list[str]:
             f"EA {force(line.material.EA)} is a guess, from {force(soft.material.EA)} to "
             f"{force(stiff.material.EA)}: length to cut {soft.length:.6g} to {stiff.length:.6g} m, "
             f"largest tension {force(min(pulls))} to {force(max(pulls))}"
+            f"{most_used(max(pulls), line.material)}"
         )
     elif guess is not None:
         notes.append(
@@ -65,7 +66,7 @@ def line_notes(line: Line) -> list[str]:
 
 
 def rolling_notes(rolling: Rolling) -> list[str]:
-    """Return the largest tension under the load at the ends of the range of a guessed EA."""
+    """Return the largest tension and utilisation under the load at the ends of a guessed EA's range."""
     ends = between(rolling.line)
     if ends is None:
         return [_NO_END] if "EA" in guesses_of(rolling.line.material) else []
@@ -81,4 +82,5 @@ def rolling_notes(rolling: Rolling) -> list[str]:
     EAs = [force(one.material.EA) for one in ends]
     return [
         f"with EA {EAs[0]} to {EAs[1]} the largest is {force(min(pulls))} to {force(max(pulls))}"
+        f"{most_used(max(pulls), rolling.line.material)}"
     ]

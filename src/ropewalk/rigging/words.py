@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ropewalk.scene import Material
-from ropewalk.scene.guess import load_doubt
+from ropewalk.scene.guess import load_doubt, worst_of
 
 
 def force(newtons: float) -> str:
@@ -27,3 +27,14 @@ def margins(tension: float, material: Material) -> list[str]:
         text += ": it would have parted"
     doubt = load_doubt(material, share)  # of a guessed EA notes of the line tell
     return [f"{text}; {doubt}" if doubt else text]
+
+
+def most_used(tension: float, material: Material) -> str:
+    """Return how near to breaking a tension [N] brings at most, after a comma; "" of no breaking load."""
+    if material.breaking_load is None:
+        return ""
+    share = tension / material.breaking_load
+    worst = worst_of(material, share)
+    text = f", utilisation up to {100.0 * share:.3g} %"
+    least = f", with the least of the guessed breaking load {100.0 * worst:.3g} %"
+    return text + (least if worst > share else "")

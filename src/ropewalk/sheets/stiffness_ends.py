@@ -10,7 +10,7 @@ from ropewalk.api import equilibrium, simulate
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.extremes import extremes, margin
 from ropewalk.scene import Scene, SceneError
-from ropewalk.scene.guess import STIFF, guesses_of
+from ropewalk.scene.guess import STIFF, guesses_of, worst_of
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.trust import PARTED, Variant, rest_numbers, row_of, run_numbers, tried
 from ropewalk.words.prefixes import prefixed
@@ -24,6 +24,7 @@ _ENDS = ("least", "greatest")
 _NAMED = 6  # that are told one by one
 _TOLD = ("largest tension", "largest force on an anchor")
 _USED = "largest utilisation"
+_WORST = "with the least of a guessed breaking load"
 
 
 class Ends(NamedTuple):
@@ -82,11 +83,8 @@ def stiffness_ends(
             (f"{name}, {title}", *row[1:]) for name in base if (row := row_of(name, base, variants))
         ]
         used = _used(result)
-        if not math.isnan(used):
-            each = (used, *(v.numbers.get(_USED, math.nan) for v in variants))
-            cells = ("" if math.isnan(one) else _percent(one) for one in each)
-            rows.append((f"{_USED}, {title}", *cells))
-        told += _spans(title, base | {_USED: used}, variants)
+        rows += _rows(title, used, variants)
+        told += _spans(title, base | used, variants)
     items.append(Table(("", "this sheet", *(f"{end} stiffness" for end in _ENDS)), rows))
     summary = Text(f"{_guess(scene)}: {'; '.join(told)}.", warning=True)
     return Ends(Section(TITLE, tuple(items)), (summary,) if told else ())
@@ -107,18 +105,35 @@ def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
 
 def _numbers(scene: Scene) -> dict[str, float]:
     result = simulate(scene)
-    own = {PARTED: float(len(result.partings)), _USED: _used(result)}
-    return {**run_numbers(result), **own}
+    return {**run_numbers(result), PARTED: float(len(result.partings)), **_used(result)}
 
 
 def _rest_numbers(scene: Scene) -> dict[str, float]:
-    return {**rest_numbers(scene), _USED: _used(equilibrium(scene))}
+    return {**rest_numbers(scene), **_used(equilibrium(scene))}
 
 
-def _used(result: Result) -> float:
-    """Return the largest utilisation of a breaking load [1]; NaN where none is known."""
+def _used(result: Result) -> dict[str, float]:
+    """Return the largest utilisation [1], and that with the least of guessed breaking loads.
+
+    Both NaN where no breaking load is known, and alike where none is a guess.
+    """
     near = margin(result, extremes(result))
-    return math.nan if near is None else near.utilisation
+    if near is None:
+        return {_USED: math.nan, _WORST: math.nan}
+    worst = worst_of(result.scene.rope_named(near.guessed).made_of, near.at_most)
+    return {_USED: near.utilisation, _WORST: worst}
+
+
+def _rows(title: str, used: dict[str, float], variants: list[Variant]) -> list[tuple[str, ...]]:
+    """Return the rows of utilisations: as breaking loads are given and, of guesses, with the least of them."""
+    found = []
+    for name, words in ((_USED, _USED), (_WORST, f"{_USED} {_WORST}")):
+        if math.isnan(used[name]) or (name == _WORST and used[_WORST] == used[_USED]):
+            continue
+        each = (used[name], *(v.numbers.get(name, math.nan) for v in variants))
+        cells = ("" if math.isnan(one) else _percent(one) for one in each)
+        found.append((f"{words}, {title}", *cells))
+    return found
 
 
 def _percent(used: float) -> str:
@@ -145,9 +160,14 @@ def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[
             unit = "m" if name == "largest sag" else "N"
             low, high = (prefixed(value, unit, 4) for value in (min(values), max(values)))
             found.append(f"{name} {low}" + (f" to {high}" if high != low else ""))
-    used = [one[_USED] for one in (base, *ran) if not math.isnan(one[_USED])]
-    if ran and used:
-        found.append(f"{_USED} up to {_percent(max(used))}")
+    used, worst = (
+        max((one[name] for one in (base, *ran) if not math.isnan(one[name])), default=math.nan)
+        for name in (_USED, _WORST)
+    )
+    if ran and not math.isnan(used):
+        found.append(f"{_USED} up to {_percent(used)}")
+    if ran and worst > used:
+        found.append(f"{_WORST} up to {_percent(worst)}")
     found += [f"of the {v.title} nothing, for it FAILED" for v in variants if v.why_not]
     found += [
         f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(PARTED, 0.0) > 0.0
