@@ -134,7 +134,7 @@ class FromDataSheet:
         construction: str,
         diameter: Quantity,
         *,
-        grade: float = 1770.0,
+        grade: float | None = None,
         guesses: bool = False,
         **others: Any,
     ) -> Self:
@@ -147,7 +147,8 @@ class FromDataSheet:
         Args:
             construction: "6x36 IWRC", "6x19 FC", "7x7", "1x19" ...
             diameter: nominal [m], such as 0.012 or "12 mm".
-            grade: strength of the wires, R [N/mm^2].
+            grade: strength of the wires, R [N/mm^2]; without one 1770, of "1x19" and "locked coil" 1570, with
+                which their guessed K agree with what is known of them.
             guesses: give the breaking load of 1x19, too, K 0.507 (0.477 to 0.549); and locked coil rope at
                 all, mass 0.565 (0.54 to 0.587), EA 106.8 GPa d^2 (95 to 117), K 0.605 (0.54 to 0.67).
             others: fields of the material.
@@ -160,7 +161,7 @@ class FromDataSheet:
         if d > _THICKEST:
             rule = f"is {d:g} m, and no wire rope is thicker than {_THICKEST:g} m; write it with its unit"
             raise SceneError([Fault("diameter", diameter, rule)])
-        R = given("grade", grade, "N/mm^2")
+        R = given("grade", factors.grade if grade is None else grade, "N/mm^2")
         if not _GRADES[0] <= R <= _GRADES[1]:
             rule = (
                 f"must be from {_GRADES[0]:g} to {_GRADES[1]:g} N/mm^2, the strength of steel wires"
