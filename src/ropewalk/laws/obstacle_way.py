@@ -33,9 +33,7 @@ TRIES = 500
 DEEPEST = 0.75  # [1] depth over the thinnest
 LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
 FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
-LONG = 2.0 * (
-    1.0 - DEEPEST
-)  # [1] length over half the thickness of what may lie across: the shortest that may
+LONG = 2.0 * (1.0 - DEEPEST)  # [1] length over half the thickness of what may lie across
 PAST = 2.0  # no cosine
 MISSED = 0.1  # [1] diameters by which a way may dip into a body that no force of the step has seen
 SWERVE = 0.99  # [1] least cosine between the normals where a way would hit and where the step ends

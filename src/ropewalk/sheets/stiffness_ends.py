@@ -125,7 +125,7 @@ def _used(result: Result) -> dict[str, float]:
 
 
 def _rows(title: str, used: dict[str, float], variants: list[Variant]) -> list[tuple[str, ...]]:
-    """Return the rows of utilisations: as breaking loads are given and, of guesses, with the least of them."""
+    """Return the rows of utilisations: as breaking loads are given and, of guesses, with the least."""
     found = []
     for name, words in ((_USED, _USED), (_WORST, f"{_USED} {_WORST}")):
         if math.isnan(used[name]) or (name == _WORST and used[_WORST] == used[_USED]):
