@@ -19,7 +19,7 @@ from ropewalk.cli import main
 from ropewalk.cli.results_table import results_rows
 from ropewalk.plots.torn import BROKEN
 from ropewalk.record.result import Result
-from ropewalk.scene import dumps
+from ropewalk.scene import Velocity, dumps
 
 
 @pytest.fixture(scope="module")
@@ -195,6 +195,23 @@ def test_a_soft_rope_that_hangs_at_many_times_its_length_is_whole() -> None:
     assert longest > 10 * 0.05
     assert result.status == "finished"
     assert result.good_frames == result.frames
+
+
+def test_frames_of_a_soft_rope_are_sound_up_to_its_break() -> None:
+    """It hangs at twenty times its length until it is torn; all frames beyond ten times counted as broken."""
+    soft = rw.Springs(spring_constant=2.0, node_mass=0.05, segment_length=0.05, spring_friction=0.5)
+    pulled = Velocity(velocity=(0.0, 0.0, -40.0))
+    scene = rw.Scene(
+        ropes=[rw.Rope(segments=4, made_of=soft)],
+        anchors=[rw.Anchor(node=0), rw.Anchor(node=-1, motion=pulled)],
+        run=rw.RunSettings(duration=2.0, method="semi-implicit-euler", time_step=1e-3),
+    )
+    result = rw.simulate(scene, on_failure="return")
+    assert result.status == "broke"
+    longest = np.linalg.norm(np.diff(result.positions, axis=1), axis=2).max()
+    assert longest > 20 * 0.05
+    assert result.good_frames == result.frames
+    assert result.broke_at == result.time[-1]
 
 
 def test_a_request_to_stop_leaves_the_frames_before_a_break_whole() -> None:

@@ -10,6 +10,7 @@ import pytest
 
 from ropewalk.analysis.linear_theory import sideways_share
 from ropewalk.analysis.stability import Stability, rounded_down, stability
+from ropewalk.live.meter import measure
 from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
@@ -169,6 +170,28 @@ def test_material_does_not_depend_on_its_segments_but_the_bound_does() -> None:
     factor = coarse.largest_spring_factor
     assert coarse.largest_axial_stiffness == pytest.approx(1e4 * factor)
     assert coarse.largest_spring_constant is None
+
+
+@pytest.mark.parametrize(
+    "more",
+    [
+        {"EA": 1e4, "relaxing_EA": 5e4, "relaxation_time": 0.1},
+        {"curve": {"kind": "polynomial", "coefficients": [1e4, 1e5], "largest_strain": 0.3}},
+    ],
+)
+def test_no_EA_is_advised_where_it_is_not_all_of_the_stiffness(more: dict[str, object]) -> None:
+    """EA <= 608 N was advised beside a relaxing_EA of 50 kN, and of a curve, which has its own EA."""
+    made_of = Material.model_validate({"kind": "material", "mass_per_length": 0.05, **more})
+    rope = Rope(segments=20, made_of=made_of, length=10.0, shape=Straight(start=(0, 0, 0)))
+    run = RunSettings(time_step=2e-3, method="semi-implicit-euler", duration=1.0)
+    model = build(Scene(run=run, ropes=(rope,), anchors=(Anchor(node=0),)))
+    found, shown = stability(model), measure(model)
+    assert not found.stable
+    assert found.largest_spring_factor < 1.0
+    assert shown["largest_axial_stiffness"] is None
+    assert shown["largest_spring_constant"] is None
+    assert found.largest_axial_stiffness is None
+    assert not any(remedy.startswith("EA") for remedy in found.remedies)
 
 
 def test_a_winch_takes_its_shortest_segment() -> None:

@@ -173,11 +173,16 @@ def sideways_share(model: Model, statics: Statics | None = None) -> float:
 
 
 def _uniform(scene: Scene) -> tuple[float | None, float | None]:
-    """Return the spring constant [N/m] or the EA [N] that all ropes share, if they do."""
+    """Return the spring constant [N/m] or the EA [N] that all ropes share, if they do.
+
+    Of an EA only where it is all of the stiffness: neither beside a `relaxing_EA` nor with a curve.
+    """
     constants = {
         rope.made_of.spring_constant for rope in scene.ropes if isinstance(rope.made_of, Springs)
     }
     materials = {rope.made_of.EA for rope in scene.ropes if not isinstance(rope.made_of, Springs)}
+    if any(rope.curved or rope.relaxes for rope in scene.ropes):
+        return None, None
     if len(constants) + len(materials) != 1:
         return None, None
     return (constants.pop(), None) if constants else (None, materials.pop())

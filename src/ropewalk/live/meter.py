@@ -98,8 +98,10 @@ def _rigid(found: Stability) -> dict[str, Any]:
 
 
 def _constants(model: Model) -> tuple[float | None, float | None]:
-    """Return the spring constant [N/m] and the EA [N] that all ropes share, if they do."""
+    """Return spring constant [N/m] and EA [N] that all ropes share, where they are all of the stiffness."""
     ropes = model.scene.ropes
+    if any(rope.curved or rope.relaxes for rope in ropes):
+        return None, None
     constants = {spring_constant(rope) for rope in ropes}
     materials = {axial_stiffness(rope) for rope in ropes}
     return (

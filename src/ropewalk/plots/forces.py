@@ -24,7 +24,7 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.given_forces import arrow_scale, draw_forces, given_notes
 from ropewalk.plots.margin_notes import margin_notes
-from ropewalk.plots.sight import anchors_at, good_frames, limits, shown_positions
+from ropewalk.plots.sight import anchors_at, good_frames, holding, limits, shown_positions
 from ropewalk.plots.style import (
     COLOURS,
     describe,
@@ -75,7 +75,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     clipped = "the last good frame is drawn"
     notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
     notes += margin_notes(result, frame, frame + 1)
-    if len(result.layout.anchor_names):
+    if holding(result, float(result.time[frame])):
         notes.append("Orange arrows: the anchors' forces on the ropes.")
     notes += given_notes(result.scene)
     set_note(figure, notes)
@@ -110,7 +110,8 @@ def _draw_shape(
 
 def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None:
     """Draw the anchors' forces as arrows, and write their sizes beside them."""
-    forces = np.nan_to_num(result.reactions[frame])  # NaN: of a rope that broke before
+    holds = holding(result, float(result.time[frame]))
+    forces = np.nan_to_num(result.reactions[frame][holds])  # NaN: of a rope that broke before
     sizes = np.linalg.norm(forces, axis=1)
     reach = arrow_scale(seen, result, largest=float(sizes.max(initial=0.0)))
     given = draw_forces(axes, result, seen, frame, scale=reach)
@@ -122,7 +123,7 @@ def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None
     places, ways = seen.view.project(anchors_at(result, frame)), seen.view.project(forces)
     shrink = np.array([1.0, 1.0 / seen.box.magnified])
     tips = [places[0]]
-    for place, way, size in zip(places, ways[: len(places)], sizes, strict=False):
+    for place, way, size in zip(places, ways, sizes, strict=True):
         if size <= 1e-9 * sizes.max():
             continue
         tip = place + reach * way * shrink

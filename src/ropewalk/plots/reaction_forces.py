@@ -45,7 +45,7 @@ def reactions(result: Result) -> Figure:
     elif len(names) <= _PANELS:
         figure = new_figure(7.2, min(1.35 + max(1.5, 3.0 - 0.6 * len(names)) * len(names), 10.0))
         grid = figure.subplots(len(names), 1, sharex=True, squeeze=False)[:, 0]
-        sizes = np.abs(forces[:good]).max(axis=(0, 1))
+        sizes = _known(np.abs(forces[:good])).max(axis=(0, 1))
         parts = [bool(size > 1e-9 * sizes.max()) for size in sizes]
         for row, axes in enumerate(grid):
             _draw_anchor(axes, result, row, forces[:, row], good, parts)
@@ -72,6 +72,11 @@ def magnitude(forces: Floats) -> Floats:
     with np.errstate(all="ignore"):
         length: Floats = np.hypot(np.hypot(forces[..., 0], forces[..., 1]), forces[..., 2])
     return length
+
+
+def _known(sizes: Floats) -> Floats:
+    """Return sizes of forces with 0 for those of ropes that broke before, which are NaN."""
+    return np.nan_to_num(sizes, nan=0.0)
 
 
 def _draw_anchor(
@@ -110,7 +115,7 @@ def _draw_magnitudes(
 ) -> None:
     """Draw the magnitudes of many anchors in one panel."""
     sizes = magnitude(forces)
-    order = np.argsort(-sizes[:good].max(axis=0), kind="stable")[:_LINES]
+    order = np.argsort(-_known(sizes[:good]).max(axis=0), kind="stable")[:_LINES]
     for number, row in enumerate(sorted(order)):
         curve = drawable(sizes[:, row], good, [sizes[:, i] for i in order])
         axes.plot(result.time, curve, label=names[row], **line_style(number))

@@ -325,11 +325,14 @@ def held_nodes(result: Result, time: float) -> list[int]:
         )
         for w in result.scene.winches
     }
-    return [
-        drums.get(node, node)
-        for node, anchor in zip(result.layout.anchor_nodes, result.scene.anchors, strict=True)
-        if anchor.release_time is None or time < anchor.release_time
-    ]
+    nodes = result.layout.anchor_nodes
+    return [drums.get(nodes[row], nodes[row]) for row in holding(result, time)]
+
+
+def holding(result: Result, time: float) -> list[int]:
+    """Return which anchors hold at a time [s], as places among all of the scene."""
+    releases = [anchor.release_time for anchor in result.scene.anchors]
+    return [row for row, when in enumerate(releases) if when is None or time < when]
 
 
 def load_nodes(result: Result) -> list[int]:

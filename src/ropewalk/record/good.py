@@ -9,7 +9,6 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from ropewalk.core.status import BREAK_STRETCH
 from ropewalk.record.facts import BROKE
 
 if TYPE_CHECKING:
@@ -43,8 +42,10 @@ def good_part(result: Result) -> int:
     last = _until_noted(result)
     if result.status != BROKE and last == len(result.time):
         return last  # the simulation knows best: soft ropes may hang at many times their length
+    from ropewalk.record.contacts import model_of  # which imports what imports this
+
     longest = np.full(result.layout.segments, np.inf)
-    factor = BREAK_STRETCH * (1.6 if result.scene.winches else 1.0)
+    factor = model_of(result).system.break_stretch * (1.6 if result.scene.winches else 1.0)
     for span, rope in zip(result.layout.ropes, result.scene.ropes, strict=True):
         if rope.segment_length > 0.0:
             longest[span.first : span.last] = factor * rope.segment_length
