@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import tomllib
 from typing import Any
 
 import pytest
 
-from ropewalk.sheets.content import Section, Table, Text
+from ropewalk.sheets.content import Listing, Section, Table, Text
+from ropewalk.sheets.paper import on_paper
 from ropewalk.sheets.pdf import pdf_pages
 
 
@@ -30,3 +32,36 @@ def test_a_table_stays_on_one_page_with_what_leads_to_it(monkeypatch: pytest.Mon
         assert len(told) == 1, lines
         ends |= told
     assert ends == {1, 2}
+
+
+LONG = [
+    "start = [" + ", ".join(f"{k / 7}" for k in range(30)) + "]",
+    "    [" + ", ".join(f"{k / 7}" for k in range(9)) + "],",
+    'note = "' + 'back\\\\slash, \\"quoted\\", two  spaces ' * 9 + '"',
+    '    "' + "an entry of an array " * 8 + '",',
+]
+
+
+def test_a_scene_on_paper_is_the_scene_yet(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Lines of more than 100 letters were cut hard, and a sheet's scene could not be computed again."""
+    first, row, note, entry = LONG
+    text = "\n".join((first, note, "rows = [", row, row, "]", "texts = [", entry, entry, "]", ""))
+    broken, said = on_paper(text, 100)
+    assert tomllib.loads(broken) == tomllib.loads(text)
+    assert max(map(len, broken.split("\n"))) <= 100
+    assert "the scene is the same" in said
+    assert on_paper(broken, 100) == (broken, "")
+    kept = f'path = "{"x" * 120}"\n'
+    assert "is not the scene" in on_paper(kept, 100)[1]
+
+    listed = pytest.importorskip("reportlab.platypus").Preformatted
+    shown = list[str]()
+    wrap = listed.wrap
+
+    def seen(self: Any, *room: float) -> Any:
+        shown[:] = self.lines
+        return wrap(self, *room)
+
+    monkeypatch.setattr(listed, "wrap", seen)
+    pdf_pages("title", "lead", [Section("again", (Listing(text),))])
+    assert tomllib.loads("\n".join(shown)) == tomllib.loads(text)

@@ -9,6 +9,7 @@ from typing import Any
 from xml.sax.saxutils import escape
 
 from ropewalk.sheets.content import Item, Listing, Picture, Section, Table, Text
+from ropewalk.sheets.paper import on_paper
 
 _MISSING = "a PDF needs reportlab: pip install 'ropewalk[sheet]', or write .html and print it"
 _INK, _SOFT, _LINE, _WARN, _BACK = "#1c2430", "#566070", "#d5dae0", "#8a2b00", "#fff4e8"
@@ -133,7 +134,9 @@ class _Look:
                 return [Image(io.BytesIO(item.png), *size)]
             case Listing():
                 style = self.style("note").clone("listing", fontName="Sheet-Mono", fontSize=6.6)
-                return [Preformatted(item.lines, style, maxLineLength=_LISTED)]
+                lines, note = on_paper(item.lines, _LISTED)
+                said = [Paragraph(escape(note), self.style("note"))] if note else []
+                return [*said, Preformatted(lines, style, maxLineLength=_LISTED)]
             case Table():
                 return self._table(item, width)
 
