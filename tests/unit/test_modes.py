@@ -186,3 +186,30 @@ def test_starts_that_cannot_be(make, words: str) -> None:
     with pytest.raises(rw.SceneError) as caught:
         make()
     assert words in str(caught.value)
+
+
+def test_a_mode_that_creeps_has_no_natural_frequency() -> None:
+    """The sizes of its two rates over 2 pi stood there as two frequencies; without any damping it rings."""
+
+    def one(friction: float) -> rw.Modes:
+        weight = Springs(
+            spring_constant=500.0, node_mass=0.05, segment_length=0.5, spring_friction=friction
+        )
+        drawn = Straight(end=(0.0, 0.0, -0.5))
+        hangs = Scene(
+            ropes=[Rope(segments=1, made_of=weight, shape=drawn)], anchors=[Anchor(node=0)]
+        )
+        return rw.modes(hangs, count=4)
+
+    rings, creeps = one(0.0), one(50.0)
+    own = np.sqrt(500.0 / 0.05) / (2.0 * np.pi)
+    assert rings.natural_frequencies[-1] == pytest.approx(own)
+    rates = creeps.decay_rates[creeps.eigenvalues.imag == 0.0] / (2.0 * np.pi)
+    assert rates[-1] * rates[-2] == pytest.approx(
+        own**2
+    )  # those of its stretch, about the frequency
+    np.testing.assert_array_equal(
+        np.isnan(creeps.natural_frequencies), creeps.eigenvalues.imag == 0.0
+    )
+    assert np.isnan(creeps.table[-1]["natural frequency [Hz]"])
+    assert not np.isnan(rings.natural_frequencies).any()

@@ -67,8 +67,13 @@ class Modes:
 
     @property
     def natural_frequencies(self) -> Floats:
-        """Undamped frequencies, the size of l over 2 pi [Hz], (m,)."""
-        return np.asarray(np.abs(self.eigenvalues) / (2.0 * np.pi))
+        """Undamped frequencies, the size of l over 2 pi [Hz], (m,).
+
+        NaN for one that creeps or grows without ringing: the two rates of what is damped so much have the
+        frequency between them.
+        """
+        size = np.abs(self.eigenvalues) / (2.0 * np.pi)
+        return np.asarray(np.where((self.eigenvalues.imag == 0.0) & (size > 0.0), np.nan, size))
 
     @property
     def decay_rates(self) -> Floats:
@@ -125,7 +130,8 @@ class Modes:
     def __repr__(self) -> str:
         shown = ", ".join(f"{f:.4g}" for f in self.frequencies[:5])
         more = ", ..." if self.count > 5 else ""
-        return f"Modes of {self.scene.name!r} about its {self.about}: {shown}{more} Hz."
+        told = f"{shown}{more} Hz" if self.count else "none"
+        return f"Modes of {self.scene.name!r} about its {self.about}: {told}."
 
 
 def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) -> Modes:
