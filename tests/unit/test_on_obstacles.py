@@ -34,6 +34,7 @@ from ropewalk.scene import (
 )
 from ropewalk.scene.recut import recut
 from ropewalk.sheets.ropes import assumption_section
+from ropewalk.statics.wraps import Wrap, sliding_words
 
 STUFF = 'made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 5.0 }'
 
@@ -328,3 +329,16 @@ def test_what_is_tied_to_a_rope_that_lies_is_held() -> None:
     tied = Scene(ropes=ropes, joints=[{"points": points}], obstacles=[bar])
     assert {wrap.rope for wrap in rw.check(tied, measure=False).statics.wraps} == {"rope0"}
     assert unheld(tied) == []
+
+
+def test_the_slope_that_friction_holds_is_that_of_the_least() -> None:
+    """Of ice and a post it named what the post holds: a rope slides on the ice from 5.7 degrees on."""
+
+    def lies(obstacle: str, friction: float) -> Wrap:
+        return Wrap(
+            "rope", obstacle, 0, 4, 10.0, 0.0, 1.0, 1.0, math.nan, math.nan, False, 1.0, friction
+        )
+
+    both = sliding_words((lies("ice", 0.1), lies("post", 0.5)))
+    assert f"{math.degrees(math.atan(0.1)):.4g} degrees with the least of them" in both
+    assert "26.57 degrees, and" in sliding_words((lies("post", 0.5),) * 2)

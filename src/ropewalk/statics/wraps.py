@@ -106,11 +106,12 @@ def sliding_words(lie: tuple[Wrap, ...]) -> str:
         return ""
     rubs = {f"{wrap.obstacle!r} (friction {wrap.friction:g})" for wrap in full}
     names = ", ".join(sorted(rubs))
-    slope = max(math.degrees(math.atan(wrap.friction)) for wrap in full)
+    slope = min(math.degrees(math.atan(wrap.friction)) for wrap in full)
+    which = " with the least of them" if len(rubs) > 1 else ""
     return (
         f"On {names} friction carries all it can: it holds on slopes of up to atan(friction) = "
-        f"{slope:.4g} degrees, and round a drum by a factor of up to exp(friction angle) of the tensions. "
-        "Give more friction, more turns, or an anchor"
+        f"{slope:.4g} degrees{which}, and round a drum by a factor of up to exp(friction angle) of the "
+        "tensions. Give more friction, more turns, or an anchor"
     )
 
 
