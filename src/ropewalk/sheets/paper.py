@@ -8,7 +8,10 @@ import tomllib
 
 _TEXT = re.compile(r'(?P<key>(?:[^"=]+ = )?\s*)"(?P<text>(?:[^"\\]|\\.)*)"(?P<end>,?)')
 _SAME = "Long lines are broken as TOML allows: the scene is the same, the SHA-256 that without the breaks."
-_OTHER = "Long lines are broken for paper: copied from here this is not the scene. As HTML the sheet has it whole."
+_OTHER = (
+    "Long lines are broken for paper: copied from here this is not the scene. "
+    "The sheet as HTML has it whole."
+)
 
 
 def on_paper(text: str, width: int) -> tuple[str, str]:
