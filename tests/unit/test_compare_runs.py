@@ -12,6 +12,7 @@ from ropewalk.analysis.compare import compare_runs, differing_settings, distance
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import apply_overrides
 from ropewalk.scene.presets import preset
+from runs import hanging
 
 SHORT = ["run.duration=1.0"]
 
@@ -159,6 +160,34 @@ def test_figure_shows_shapes_distance_and_energies(reference):
     np.testing.assert_array_equal(kinetic[1].get_ydata(), other.energy["kinetic"])
     shape = next(item for item in figure.axes[1].lines if item.get_label() == "1 s")
     np.testing.assert_array_equal(shape.get_ydata(), other.positions[60, :, 1])
+
+
+def test_shapes_of_one_colour_are_of_one_time():
+    """Of other runs the nearest frame stood there; and runs of few frames have places at these only."""
+    few, odd, many = (
+        simulate_in_memory(hanging(duration=0.4, frame_rate=rate, segments=4))
+        for rate in (20, 30, 100)
+    )
+    for results in ([few, odd, many], [odd, many, few]):
+        figure = plots.compare(results, ["a", "b", "c"], times=[0.24, 0.36])
+        for time in (0.25, 0.35):  # frames of the run that has fewest
+            exact = few.positions[few.frame_at(time)][:, [0, 2]]
+            for axes in figure.axes[:3]:
+                rope, anchors = (
+                    np.stack([item.get_xdata(), item.get_ydata()], axis=1)
+                    for item in axes.lines
+                    if item.get_color() == line(axes, f"{time:g} s").get_color()
+                )
+                np.testing.assert_allclose(rope, exact, atol=0.002)
+                np.testing.assert_array_equal(anchors, rope[[0, -1]])
+    nearest = odd.positions[odd.frame_at(0.25)]
+    assert np.abs(nearest - many.positions[25]).max() > 0.008
+
+
+def line(axes, label):
+    """The one line of that name."""
+    (found,) = [item for item in axes.lines if item.get_label() == label]
+    return found
 
 
 def test_what_cannot_be_compared_is_refused(reference):

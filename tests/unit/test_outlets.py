@@ -12,9 +12,11 @@ import pytest
 
 import ropewalk as rw
 import runs
+from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.export import export
 from ropewalk.record.result import Result
+from ropewalk.scene import Plane, Straight
 
 DIMENSIONS = {
     "nodes": {"time", "node", "axis"},
@@ -57,6 +59,37 @@ def test_every_quantity_is_in_one_of_the_datasets(result: Result) -> None:
     np.testing.assert_array_equal(run["total_energy"], result.energy["total"])
     np.testing.assert_array_equal(run["work_of_weight"], result.work["weight"])
     assert run["momentum_x"].attrs["units"] == "kg m/s"
+
+
+def test_extremes_have_each_its_own_unit(result: Result) -> None:
+    """All of them had those of all: "N, N, 1, m/s, m"."""
+    run = result.datasets["run"]
+    assert run["greatest_tension"].attrs["units"] == "N"
+    assert run["greatest_speed"].attrs["units"] == "m/s"
+    assert run["time_until_which_came_greatest_speed"].attrs["units"] == "s"
+    assert run["jump_limiter"].attrs == {"units": "J", "long_name": "jump limiter"}
+    assert run["time"].attrs["units"] == "s"
+
+
+def test_works_of_contacts_count_from_the_start_everywhere(tmp_path: Path) -> None:
+    """What was stored at the start stood in datasets and archives, and neither in tables nor in Python."""
+    springs = rw.Springs(spring_constant=1e3, node_mass=0.1, segment_length=0.1)
+    rope = rw.Rope(
+        segments=3, diameter=0.01, made_of=springs, shape=Straight(start=(0, 0, 0.00499))
+    )
+    settings = rw.RunSettings(duration=0.05, time_step=1e-3, method="semi-implicit-euler")
+    scene = rw.Scene(ropes=[rope], obstacles=[Plane(name="floor")], run=settings)
+    result = rw.simulate(scene)
+    stored = list(result.read("contact_work")[0, 0])
+    assert stored[ENTRIES.index("stored")] != 0.0
+    told = np.stack([result.contact_work["floor"][entry] for entry in ENTRIES], axis=1)
+    assert not told[0].any()
+    assert told[-1].any()
+    (path,) = result.export("npz", tmp_path / "run.npz", quantities=["contact_work"], every=2)
+    np.testing.assert_array_equal(np.load(path)["contact_work"][:, 0], told[::2])
+    for one in (result, result.save(tmp_path / "run")):
+        np.testing.assert_array_equal(one.dataset["contact_work"][:, 0], told)
+        assert one.dataset["contact_work"].attrs["units"] == "J"
 
 
 def test_one_table_of_everything_is_refused(result: Result, opened: Result) -> None:

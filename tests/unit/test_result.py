@@ -12,6 +12,7 @@ import pytest
 
 import ropewalk as rw
 import runs
+from ropewalk import plots
 from ropewalk.api import BrokenRun
 from ropewalk.record.result import Result
 
@@ -91,6 +92,10 @@ def test_without_a_ledger_the_balances_are_not_numbers() -> None:
     assert np.isnan(bare.energy_error).all()
     assert np.isnan(bare.balance_residual).all()
     assert "no energy ledger" in repr(bare)
+    assert all(np.isnan(work).all() for work in bare.work.values())  # zeros, which were told
+    assert np.isnan(bare.dataset["work"]).all()
+    labels = [line.get_label() for line in plots.energy(bare).axes[0].lines]
+    assert not [label for label in labels if label.startswith("work of")]
 
 
 def test_nodes_and_ropes_by_name(winched: Result) -> None:

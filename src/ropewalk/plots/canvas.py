@@ -13,9 +13,9 @@ from ropewalk.plots.outlines import Outline, draw_outlines, near, outlines_of
 from ropewalk.plots.sight import (
     Floats,
     Sight,
-    anchors_at,
     good_frames,
     ground_height,
+    held_nodes,
     load_nodes,
     positions_of,
     shown_positions,
@@ -117,22 +117,38 @@ def draw_moving(axes: Axes, result: Result, view: Sight, time: float) -> list[Pa
     return draw_outlines(axes, outlines_of(result, view, time))
 
 
-def draw_anchors(axes: Axes, result: Result, view: Sight, frame: int, **style: object) -> None:
-    """Draw the anchors that hold at a frame."""
-    places = view.project(anchors_at(result, frame))
-    axes.plot(places[:, 0], places[:, 1], **{**ANCHOR, "zorder": 4, **style})  # type: ignore[arg-type]
+def draw_anchors(
+    axes: Axes,
+    result: Result,
+    view: Sight,
+    frame: int,
+    places: Floats | None = None,
+    **style: object,
+) -> None:
+    """Draw the anchors that hold at a frame; `places` (nodes, 3) [m]: of a time beside it."""
+    nodes = held_nodes(result, float(result.time[frame]))
+    at = view.project((shown_positions(result, frame) if places is None else places)[nodes])
+    axes.plot(at[:, 0], at[:, 1], **{**ANCHOR, "zorder": 4, **style})  # type: ignore[arg-type]
 
 
-def draw_loads(axes: Axes, result: Result, view: Sight, frame: int, **style: object) -> None:
-    """Draw the extra masses, and a dot where ropes are tied."""
+def draw_loads(
+    axes: Axes,
+    result: Result,
+    view: Sight,
+    frame: int,
+    places: Floats | None = None,
+    **style: object,
+) -> None:
+    """Draw the extra masses, and a dot where ropes are tied; `places` as of `draw_anchors`."""
+    places = shown_positions(result, frame) if places is None else places
     tied = list(result.layout.tied_nodes)
     if tied:
-        at = view.project(shown_positions(result, frame)[tied])
+        at = view.project(places[tied])
         own = {key: value for key, value in style.items() if key != "markersize"}
         axes.plot(at[:, 0], at[:, 1], **{**JOINT, "zorder": 3.4, **own})  # type: ignore[arg-type]
     nodes = load_nodes(result)
     if nodes:
-        at = view.project(shown_positions(result, frame)[nodes])
+        at = view.project(places[nodes])
         axes.plot(at[:, 0], at[:, 1], **{**LOAD, "zorder": 3.5, **style})  # type: ignore[arg-type]
 
 

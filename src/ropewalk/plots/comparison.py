@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.gridspec import GridSpec
 
-from ropewalk.analysis.compare import Comparison, compare_runs
+from ropewalk.analysis.compare import Comparison, compare_runs, positions_at
 from ropewalk.plots.canvas import (
     Backdrop,
     Box,
@@ -27,8 +27,8 @@ from ropewalk.plots.canvas import (
 from ropewalk.plots.curves import drawable, mark_break
 from ropewalk.plots.energies import energy_curves
 from ropewalk.plots.given_forces import arrow_scale, arrows_note, draw_forces
-from ropewalk.plots.shape_figure import draw_ropes
-from ropewalk.plots.sight import frame_at, limits, telling_frames
+from ropewalk.plots.shape_figure import draw_points, draw_ropes
+from ropewalk.plots.sight import Floats, frame_at, limits, shown_positions, telling_frames
 from ropewalk.plots.style import (
     COLOURS,
     GREY,
@@ -131,10 +131,11 @@ def _draw_shapes(
                 continue
             frame = frame_at(result, [time])[0]
             colour = colours(i / max(len(chosen) - 1, 1))
+            places = _places(result, seen, frame, time)
             draw_moving(axes, result, seen.view, time)
-            draw_ropes(axes, result, seen, frame, colour, f"{time:.3g} s")
-            draw_loads(axes, result, seen.view, frame, color=colour, markersize=4.5)
-            draw_anchors(axes, result, seen.view, frame, color=colour, markersize=3.5)
+            draw_points(axes, result, seen, places, colour, f"{time:.3g} s", time, broken=False)
+            draw_loads(axes, result, seen.view, frame, places, color=colour, markersize=4.5)
+            draw_anchors(axes, result, seen.view, frame, places, color=colour, markersize=3.5)
         draw_forces(axes, result, seen, frame, scale=scale, sizes=False)
         broke = seen.good < len(result.time)
         if broke:
@@ -154,16 +155,25 @@ def _draw_shapes(
     grid[0].figure.legend(handles, names, loc="outside right upper", title="time")
 
 
+def _places(result: Result, seen: Backdrop, frame: int, time: float) -> Floats:
+    """Return the nodes at a time [m], (n, 3), near to a `frame`; NaN for ropes that broke before it."""
+    shown = shown_positions(result, frame)
+    return np.where(np.isnan(shown), np.nan, positions_at(result, np.array([time]), seen.good)[0])
+
+
 def _times(
     found: Comparison, backdrops: list[Backdrop], times: Sequence[float] | None
 ) -> list[float]:
-    """The times of the shapes: given ones, or some over the time of the longest good run."""
-    ends = [
-        (result.time[seen.good - 1], i)
-        for i, (result, seen) in enumerate(zip(found.results, backdrops, strict=True))
+    """The times of the shapes: those nearest to given ones, or some; frames of one run.
+
+    Of the runs that go on to the end, to a frame, that of the fewest: between its frames it has no places.
+    """
+    frames = [
+        result.time[: seen.good] for result, seen in zip(found.results, backdrops, strict=True)
     ]
-    longest = max(ends)[1]
-    result = found.results[longest]
+    end = max(float(own[-1]) for own in frames)
+    whole = [i for i, own in enumerate(frames) if own[-1] + np.diff(own[:2]).sum() > end - 1e-9]
+    result = found.results[min(whole, key=lambda i: len(frames[i]))]
     if times is not None:
         return [float(result.time[f]) for f in frame_at(result, times)]
     return [float(result.time[f]) for f in telling_frames(result, _TIMES, 0)]
@@ -189,7 +199,7 @@ def _draw_distance(axes: Axes, found: Comparison) -> None:
 
 
 def _draw_energy(axes: Axes, found: Comparison, backdrops: list[Backdrop], name: str) -> None:
-    """Draw one energy of all runs, the gravity part counted from the run's start."""
+    """Draw one energy of all runs, gravity's part 0 in each scene's own shape."""
     parts = []
     end = 0.0
     pairs = zip(found.results, backdrops, strict=True)

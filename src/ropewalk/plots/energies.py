@@ -178,8 +178,7 @@ def surface_curves(result: Result, law: str, good: int) -> dict[str, Floats]:
                 "ropes on ropes" if surface == ROPES else "obstacles"
             )
             found[label] = found.get(label, 0.0) + values
-    with np.errstate(invalid="ignore"):
-        return {label: values for label, values in found.items() if np.any(values[:good])}
+    return {label: values for label, values in found.items() if np.nan_to_num(values[:good]).any()}
 
 
 def work_curves(result: Result, good: int) -> dict[str, Floats]:
@@ -188,7 +187,7 @@ def work_curves(result: Result, good: int) -> dict[str, Floats]:
     anchors: dict[str, Floats] = {}
     for name, values in result.work.items():
         part = np.asarray(values)
-        if name in _INNER or not np.any(part[:good]):
+        if name in _INNER or not np.nan_to_num(part[:good]).any():  # NaN: no ledger
             continue
         if name.startswith("anchor:"):
             anchors[f"work of anchor {escape(name.removeprefix('anchor:'))}"] = part

@@ -8,9 +8,11 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Layout
+from ropewalk.record.books import told
 from ropewalk.record.obstacle_table import swings
 from ropewalk.record.quantities import (
     BY_NAME,
+    CONTACT_WORK,
     joined,
     labels,
     rest_length_at_start,
@@ -137,13 +139,17 @@ def make_dataset(result: Result) -> RunDataset:
 
     if result.folder is not None:
         stored: xr.Dataset = xr.open_zarr(result.folder / "data.zarr", chunks=None)
-        own = dict(stored.data_vars) | _obstacles(result)
+        books = [name for name in ("work", CONTACT_WORK) if name in stored]
+        works = {
+            name: stored[name].copy(data=told(result, name, stored[name].values)) for name in books
+        }
+        own = dict(stored.data_vars) | works | _obstacles(result)
         return RunDataset(own, stored.coords, stored.attrs | _counts(result))
     variables = {}
     for name in result.source.names:
         quantity = BY_NAME[name]
         about = {"units": quantity.unit, "long_name": quantity.long_name}
-        variables[name] = (quantity.dims, result.read(name), about)
+        variables[name] = (quantity.dims, told(result, name, result.read(name)), about)
     variables |= _obstacles(result)
     coords: dict[str, Any] = dict(coordinates(result.scene, result.layout))
     coords["time"] = ("time", result.time, TIME)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
+from ropewalk.record.books import told
 from ropewalk.record.quantities import CONTACT_WORK, OBSTACLE_FORCE, PULLEYS
 
 if TYPE_CHECKING:
@@ -110,10 +111,7 @@ class PointForces:
         result = cast("Result", self)
         if CONTACT_WORK not in result.source.names:
             return {}
-        array = result.read(CONTACT_WORK)
-        array = array - array[:1]  # what is stored at the start is no work
-        if not result.facts.ledger:
-            array = np.full(array.shape, np.nan)
+        array = told(result, CONTACT_WORK, result.read(CONTACT_WORK))
         return {
             surface: {entry: array[:, k, e] for e, entry in enumerate(ENTRIES)}
             for k, surface in enumerate(result.layout.surfaces)

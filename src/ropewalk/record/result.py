@@ -16,6 +16,7 @@ from ropewalk.lowering.layout import make_layout
 from ropewalk.record.balances import balance_residual, energy_error
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
+from ropewalk.record.books import told
 from ropewalk.record.ends import End
 from ropewalk.record.errors import RunError
 from ropewalk.record.facts import Facts
@@ -197,8 +198,11 @@ class Result(PointForces, Outlets):
 
     @cached_property
     def work(self) -> Mapping[str, Floats]:
-        """Work done on the rope since the start [J], each (frames,), by law and anchor:<name>."""
-        array = self._all("work")
+        """Work done on the rope since the start [J], each (frames,), by law and anchor:<name>.
+
+        NaN without a ledger.
+        """
+        array = told(self, "work", self._all("work"))
         return {name: array[:, i] for i, name in enumerate(labels(self.layout)["law"])}
 
     @property

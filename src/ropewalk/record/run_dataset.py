@@ -102,13 +102,16 @@ def _of_the_run(result: Result, whole: xr.Dataset, names: list[str]) -> xr.Datas
     for name in names:
         quantity = BY_NAME[name]
         if name in OF_THE_RUN:
-            columns = {head.partition(" [")[0]: v for head, v in series(result, name).items()}
+            columns = series(result, name)
         elif len(quantity.dims) == 1:
-            columns = {name: result.read(name)}
+            columns = {f"{name} [{quantity.unit}]": result.read(name)}
         else:
             array, words = result.read(name), labels(result.layout)[quantity.dims[1]]
-            columns = {f"{name} {word}": array[:, k] for k, word in enumerate(words)}
-        for column, values in columns.items():
-            about = {"units": quantity.unit, "long_name": column}
+            columns = {
+                f"{name} {word} [{quantity.unit}]": array[:, k] for k, word in enumerate(words)
+            }
+        for header, values in columns.items():
+            column, _, unit = header.removesuffix("]").rpartition(" [")
+            about = {"units": unit, "long_name": column}
             variables[column.replace(" ", "_")] = ("time", np.asarray(values), about)
     return xr.Dataset(variables, {"time": whole["time"]}, whole.attrs)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk.record.books import told
 from ropewalk.record.errors import InputError
 from ropewalk.record.quantities import QUANTITIES
 from ropewalk.words.nearest import nearest
@@ -63,9 +64,9 @@ class Selection:
 
 
 def take(result: Result, name: str, frames: Indices) -> NDArray[np.float64]:
-    """Return a quantity of some frames (rising numbers)."""
+    """Return a quantity of some frames (rising numbers), works as they are told."""
     start = int(frames[0])
-    return result.read(name, start, int(frames[-1]) + 1)[frames - start]
+    return told(result, name, result.read(name, start, int(frames[-1]) + 1)[frames - start])
 
 
 def select(
