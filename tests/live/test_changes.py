@@ -9,6 +9,7 @@ import pytest
 
 from live.drive import do, refused, slack_rope
 from ropewalk.live.changes import changes_between, same
+from ropewalk.live.describe import parameters
 from ropewalk.live.parameters import PARAMETERS, initial
 from ropewalk.live.session import Session
 from ropewalk.live.sources import address, scene_at
@@ -134,3 +135,66 @@ def test_where_no_straight_way_leads_it_is_what_was_asked_for() -> None:
     assert session.changes == {("segments", None): 20}
     with pytest.raises(SceneError):
         session.initial(original=False)
+
+
+def frictions(session: Session) -> list[float]:
+    """Return the friction of the springs of every rope [N s/m]."""
+    return [rope.segment_friction for rope in session.scene.ropes]
+
+
+def test_back_gives_every_rope_its_own_value() -> None:
+    """All took that of the first."""
+    pair = two()
+    first, second = pair.ropes
+    stiff = second.made_of.replace(axial_damping=5.0)
+    session = Session(pair.replace(ropes=[first, second.replace(made_of=stiff)]))
+    before = frictions(session)
+    assert before[1] > before[0] > 0.0
+    for rope in (None, "b"):
+        do(session, "set", name="spring_friction", value=0.7, rope=rope)
+    do(session, "set", name="spring_friction", value=None)
+    assert frictions(session) == pytest.approx(before, rel=1e-12)
+    assert session.changes == {}
+    told = {one["name"]: one for one in parameters(session)["parameters"]}["spring_friction"]
+    assert list(told["defaults"].values()) == pytest.approx(before, rel=1e-12)
+
+
+def test_a_piece_of_a_cut_rope_goes_back_to_what_the_rope_had() -> None:
+    """It read 'rope: "rope-2" - no such rope'; of one rope both halves took the mass of the whole."""
+    session = Session(START)
+    do(session, "cut", segment=20)
+    before = frictions(session)
+    do(session, "set", name="spring_friction", value=7.0)
+    do(session, "set", name="spring_friction", value=None, rope="rope-2")
+    assert frictions(session) == pytest.approx([7.0, before[1]])
+    do(session, "set", name="spring_friction", value=None)
+    assert frictions(session) == pytest.approx(before)
+    assert session.changes == {}
+    for rope in ("rope-2", None):
+        assert "a piece of a cut rope has no mass of the scene's" in refused(
+            session, "set", name="mass", value=None, rope=rope
+        )
+    assert "no such rope" in refused(session, "set", name="mass", value=None, rope="rope-9")
+    told = {one["name"]: one["defaults"] for one in parameters(session)["parameters"]}
+    assert told["mass"] == {"rope-1": None, "rope-2": None}
+
+
+@pytest.mark.parametrize(
+    ("own", "change"),
+    [
+        (("spring_constant", 5e3), ("spring_constant", 6e3)),
+        (("spring_constant", 5e3), ("EA", 900.0)),
+        (("spring_constant", 5e3), ("segments", 20)),
+        (("time_step", 1e-4), ("time_step", 2e-4)),
+    ],
+)
+def test_a_copy_stays_what_its_label_says(own: tuple[str, Any], change: tuple[str, Any]) -> None:
+    """A change of all made it like the first."""
+    session = Session(START)
+    do(session, "compare", variants=[{"changes": dict([own])}])
+    do(session, "set", name=change[0], value=change[1])
+    first, copy = (track.scene for track in session.tracks)
+    assert PARAMETERS[change[0]].get(first, 0) == pytest.approx(change[1])
+    assert PARAMETERS[own[0]].get(copy, 0) == pytest.approx(own[1])
+    do(session, "set", name="gravity", value=[0.0, -1.0, 0.0])
+    assert [track.scene.gravity[1] for track in session.tracks] == [-1.0, -1.0]

@@ -3,6 +3,7 @@
 import GUI from "lil-gui";
 
 import { unitText } from "../view/range.js";
+import { backOf } from "./back.js";
 import { h, icon } from "./dom.js";
 import { QuantityController, VectorController, addFlag } from "./fields.js";
 
@@ -138,11 +139,10 @@ export class Tweak {
     holder.value = this.valueOf(parameter);
     controller.updateDisplay();
     controller.disable(!parameter.enabled);
-    const initial = asText(parameter.default);
-    const changed = asText(holder.value) !== initial;
+    const { changed, title } = backOf(parameter, this.rope);
     back.classList.toggle("unused", !changed);
     back.disabled = !changed || !parameter.enabled;
-    back.title = `Back to ${initial || "the scene's"} ${unitText(parameter.unit)}`.trim();
+    back.title = title;
     back.setAttribute("aria-label", `${parameter.label}: back to the scene's value`);
     controller.domElement.title = parameter.enabled
       ? parameter.help
@@ -219,12 +219,4 @@ function ruleOf({ text, faults }, name) {
   if (faults?.length !== 1 || faults[0].path !== name) return text;
   const [{ value, rule }] = faults;
   return value === null ? rule : `${value}: ${rule}`;
-}
-
-/** @param {any} value @returns {string} */
-function asText(value) {
-  if (value === null || value === undefined) return "";
-  if (typeof value === "number") return String(Number(value.toPrecision(6)));
-  if (Array.isArray(value)) return `[${value.map(asText).join(", ")}]`;
-  return String(value);
 }

@@ -32,8 +32,8 @@
 /** @typedef {{name: string, label: string, group: string, unit: string,
  *   kind: "number" | "whole" | "vector" | "choice" | "flag", value: any, default: any,
  *   low: number, high: number, scale: "linear" | "log", minimum: number, maximum: number,
- *   choices?: {value: any, label: string}[], values?: Record<string, any>, enabled: boolean, why: string,
- *   more: boolean, help: string}} Parameter */
+ *   choices?: {value: any, label: string}[], values?: Record<string, any> | null,
+ *   defaults?: Record<string, any> | null, enabled: boolean, why: string, more: boolean, help: string}} Parameter */
 /** @typedef {{name: string, title: string, theme: string, sentence: string, picture: string}} Preset */
 /** `realtime` null: not measured yet.
  * @typedef {{type: "status", playing: boolean, speed: number, realtime: number | null, slow: boolean, text: string,

@@ -11,11 +11,12 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ropewalk.live.parameters import METHOD, PARAMETERS, Parameter
+from ropewalk.live.parameters import LONGEST_BASE, METHOD, PARAMETERS, Parameter, refusal
 from ropewalk.scene import Scene, SceneError
 
 Key = tuple[str, str | None]  # parameter, rope; None: all ropes
 _FIRST = ("segments", "length")  # others change with them
+_OF_A_PIECE = ("mass", "length", "segments")  # which half a rope has half of
 _SAME = 1e-9  # relative; nearer numbers are one
 
 
@@ -72,3 +73,24 @@ def same(one: Any, other: Any) -> bool:
     if isinstance(one, numbers) and isinstance(other, numbers):
         return math.isclose(one, other, rel_tol=_SAME, abs_tol=0.0)
     return bool(one == other)
+
+
+def origin(loaded: Scene, rope: str) -> int | None:
+    """Return the index of the rope as loaded that a rope is, or is a piece of; None where there is none."""
+    names = [one.name for one in loaded.ropes]
+    if rope in names:
+        return names.index(rope)
+    found = [name for name in names if rope.startswith(f"{name[:LONGEST_BASE]}-")]
+    return names.index(max(found, key=len)) if found else None
+
+
+def loaded_value(parameter: Parameter, loaded: Scene, rope: str) -> Any:
+    """Return the value of a rope in the scene as loaded.
+
+    Raises SceneError for what a piece of a cut rope has of its own.
+    """
+    index = origin(loaded, rope)
+    if index is None or (parameter.name in _OF_A_PIECE and loaded.ropes[index].name != rope):
+        rule = f"a piece of a cut rope has no {parameter.label.lower()} of the scene's"
+        raise refusal("rope", rope, rule)
+    return parameter.get(loaded, index)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from typing import Any
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.core.arrays import Floats
+from ropewalk.live.changes import loaded_value, origin
 from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.gaps import gaps, told
 from ropewalk.live.parameters import GROUND, PARAMETERS, ROPE, Parameter
@@ -21,7 +22,7 @@ from ropewalk.live.themes import menu, title
 from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
 from ropewalk.lowering import Layout, Span
 from ropewalk.record.margins import breaking_load
-from ropewalk.scene import Air, Rope, Scene, Springs
+from ropewalk.scene import Air, Rope, Scene, SceneError, Springs
 from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.presets import preset
 
@@ -86,12 +87,8 @@ def view_box(positions: Floats, scene: Scene) -> tuple[list[float], float]:
 
 def _colors(session: Session) -> dict[str, int]:
     """A number for every rope, the same for both halves of a cut one."""
-    base = [rope.name for rope in session.loaded.ropes]
-    found: dict[str, int] = {}
-    for rope in session.main.scene.ropes:
-        origin = max((name for name in base if rope.name.startswith(name)), key=len, default="")
-        found[rope.name] = base.index(origin) if origin else 0
-    return found
+    ropes = session.main.scene.ropes
+    return {rope.name: origin(session.loaded, rope.name) or 0 for rope in ropes}
 
 
 def _variant(track: Track, offsets: dict[str, int], colors: dict[str, int]) -> dict[str, Any]:
@@ -213,6 +210,7 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
         "help": parameter.help,
         "value": value,
         "default": plain(default),
+        "defaults": _defaults(parameter, loaded, values) if len(values) > 1 else None,
         "low": low,
         "high": high,
         "scale": scale,
@@ -224,6 +222,17 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
         "why": why,
     }
     return about | {"value": plain(about["value"])}
+
+
+def _defaults(parameter: Parameter, loaded: Scene, ropes: Iterable[str]) -> dict[str, Any]:
+    """Return the value of each rope in the scene as loaded; None for a piece that has none there."""
+    found: dict[str, Any] = {}
+    for rope in ropes:
+        try:
+            found[rope] = plain(loaded_value(parameter, loaded, rope))
+        except SceneError:
+            found[rope] = None
+    return found
 
 
 def _loses_by_relaxing(rope: Rope) -> bool:

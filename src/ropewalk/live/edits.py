@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.parameters import refusal
+from ropewalk.live.parameters import LONGEST_BASE, refusal
 from ropewalk.lowering.contact_checks import refuse_tying, refuse_untying
 from ropewalk.lowering.layout import Layout, make_layout
 from ropewalk.lowering.slide_checks import refuse_slides
@@ -276,7 +276,7 @@ def _retied(joint: Joint, rope: Rope, ends: Sequence[tuple[int, int, str]]) -> J
 def _two_names(scene: Scene, name: str) -> tuple[str, str]:
     """Return names for the two halves of a cut rope that no other rope has."""
     taken = {rope.name for rope in scene.ropes}
-    base = name[:50]
+    base = name[:LONGEST_BASE]
     found = [f"{base}-{i}" for i in range(1, MOST_ROPES + 3) if f"{base}-{i}" not in taken]
     return found[0], found[1]
 

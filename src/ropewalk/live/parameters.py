@@ -27,6 +27,7 @@ NUMBER, WHOLE, VECTOR, CHOICE, FLAG = "number", "whole", "vector", "choice", "fl
 ROPE, WORLD, AIR, GROUND, METHOD = "Rope", "World", "Air", "NeHe's ground", "Method"
 
 BARRED = "is another law than contact in this scene; a firm floor is an obstacle of kind plane"
+LONGEST_BASE = 50  # letters of a rope's name with which those of its pieces begin
 _LARGEST = 1e300  # a whole number may be larger than any floating-point one
 
 Get = Callable[[Scene, int], Any]

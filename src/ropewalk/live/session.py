@@ -13,10 +13,10 @@ from typing import Any
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.live import edits
 from ropewalk.live.actions import ACTIONS
-from ropewalk.live.changes import Key, changes_between
+from ropewalk.live.changes import Key, changes_between, loaded_value, same
 from ropewalk.live.commands import PHYSICAL, Command, Knot
 from ropewalk.live.history import EVERY, History, Moment
-from ropewalk.live.parameters import initial, named, refusal
+from ropewalk.live.parameters import Parameter, initial, named, refusal
 from ropewalk.live.track import Saved, Track, planned
 from ropewalk.live.undo import WORDS, Undo
 from ropewalk.scene import Scene
@@ -264,19 +264,26 @@ class Session:
         parameter, default = named(name), value is None
         if why := parameter.barred(self.loaded):
             raise refusal(name, value, why)
-        if default:
-            value = parameter.get(self.loaded, parameter.ropes(self.loaded, rope)[0])
         for number, track in enumerate(self.tracks):
-            if variant is None or number == variant:
+            if number == variant or (variant is None and not track.keeps(name)):
                 before = track.scene
-                track.set(name, value, rope)
-                if number == variant and number > 0:
-                    track.changes[name] = value
+                wanted = _wanted(parameter, value, rope, self.loaded, track.scene)
+                for one, its in wanted:
+                    track.set(name, its, one)
+                if variant is None:
+                    track.keep_changes()
+                elif number > 0:
+                    track.changes.pop(name, None)
+                    if rope is None and all(same(its, wanted[0][1]) for _, its in wanted):
+                        track.changes[name] = wanted[0][1]
                 if track.scene is not before:
                     self.changed()
         known = rope is None or rope in [one.name for one in self.loaded.ropes]
         if known and (variant is None or variant == 0):
             self.changes.pop((name, rope), None)
+            if default and rope is None:
+                for each in self.loaded.ropes:
+                    self.changes.pop((name, each.name), None)
             if not default:
                 self.changes[name, rope] = _resolved(name, value, self.scene)
             self.changes = changes_between(self.loaded, self.scene, self.changes)
@@ -287,6 +294,18 @@ class Session:
         Raises SceneError when they do not fit its shape at time zero.
         """
         return initial(self.loaded, {} if original else self.changes)
+
+
+def _wanted(
+    parameter: Parameter, value: Any, rope: str | None, loaded: Scene, scene: Scene
+) -> list[tuple[str | None, Any]]:
+    """Return the ropes to set, None for all, each with its value: for None that of the scene as loaded."""
+    if value is not None:
+        return [(rope, value)]
+    if not parameter.per_rope:
+        return [(rope, parameter.get(loaded, 0))]
+    names = [scene.ropes[i].name for i in parameter.ropes(scene, rope)]
+    return [(name, loaded_value(parameter, loaded, name)) for name in names]
 
 
 def _resolved(name: str, value: Any, scene: Scene) -> Any:

@@ -15,6 +15,7 @@ from ropewalk.core.status import OK
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
+from ropewalk.live.changes import same
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.gaps import Parted, gaps, located
@@ -36,6 +37,8 @@ LOSSES = ("friction", *(law.name for law in NODE_LAWS))
 WINCH_SAFE = {WORLD, AIR, GROUND, METHOD}
 # What would break the lengths of rigid links, or what they do not have.
 RIGID_FIXED = {"spring_constant", "EA", "length", "segments", "tension_only"}
+# Names of one and the same number.
+ALIKE = ({"spring_constant", "EA"}, {"time_step", "steps_per_frame"})
 WITH_LINKS = "while a rope of rigid links is in the scene"
 
 
@@ -189,6 +192,19 @@ class Track:
             scene = named("ground_height").apply(scene, self._floor())
         layout = edits.layout_of(scene)
         self.edit(Edit(scene, edits.matched(self.simulation.layout, layout)))
+
+    def keeps(self, name: str) -> bool:
+        """Tell whether a parameter is what this variant differs in, under this name or another."""
+        return any(
+            name in group for one in self.changes for group in (*ALIKE, {one}) if one in group
+        )
+
+    def keep_changes(self) -> None:
+        """Set what this variant differs in anew where a change of all has changed that, too."""
+        for name, value in self.changes.items():
+            values = [named(name).get(self.scene, i) for i in named(name).ropes(self.scene, None)]
+            if value != "auto" and not all(same(one, value) for one in values):
+                self.set(name, value)
 
     def _floor(self) -> float:
         """Where a new ground may lie without pushing [m]: at zero, or a little below the rope."""
