@@ -53,9 +53,15 @@ export class Solids {
     this.advance();
   }
 
+  /** The time of the bodies' motions [s]: a replay's parts have each its own. */
+  clock() {
+    const { frame, layout } = this.viewport.session;
+    return (frame?.time ?? 0) - (layout?.later ?? 0);
+  }
+
   /** Put those that move where they are now. */
   advance() {
-    const time = this.viewport.session.frame?.time ?? 0;
+    const time = this.clock();
     if (time === this.time) return;
     this.time = time;
     if (!this.starts.some(leaves)) return;
@@ -93,7 +99,7 @@ export class Solids {
 
   /** How far each has turned [rad]. */
   turns() {
-    const time = this.viewport.session.frame?.time ?? 0;
+    const time = this.clock();
     const told = this.told();
     return this.all.map((one) => turnOf(one, time, told));
   }

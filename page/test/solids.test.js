@@ -16,6 +16,7 @@ import {
   turnOf,
   whereabouts,
 } from "../src/view/solids.js";
+import { Solids } from "../src/solids.js";
 import { plus } from "../src/view/vector.js";
 
 const known = JSON.parse(readFileSync(new URL("solids.json", import.meta.url), "utf8"));
@@ -205,4 +206,17 @@ test("what turns by a table has its angle", () => {
     [-1, 0.25, 1, 9].map((time) => turnOf(bar, time)),
     [0, 0.5, 2, 2],
   );
+});
+
+test("a body of a replay's later part moves by the clock of that part", () => {
+  const params = [0, 0, 0, 1, 0, 0, 0, 9]; // from the middle of all, at 1 m/s
+  const motion = { kind: "velocity", params, table: [] };
+  const spin = [2, 0, null];
+  const body = { ...BAR, kind: "sphere", size: [0.1, 0, 0, 0], axle: [0, 0, 1], spin, motion };
+  const layout = { up: [0, 1, 0], scalars: [], later: 0.3, obstacles: [body] };
+  const session = { on() {}, layout, frame: { time: 0.5, parts: [{}] } };
+  const solids = new Solids({ session, camera: { up: [0, 1, 0] }, shifts: here });
+  solids.take(layout, here);
+  assert.ok(Math.abs(solids.all[0].center[0] - 0.2) < 1e-12);
+  assert.ok(Math.abs(solids.turns()[0] - 0.4) < 1e-12);
 });

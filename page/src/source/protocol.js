@@ -28,7 +28,7 @@
  *   scene: {name: string, description: string, preset: string | null}, up: number[], gravity: number[],
  *   ground: {height: number} | null, view: {center: number[], radius: number}, obstacles?: Obstacle[],
  *   scalars: string[],
- *   variants: Variant[], broke?: {time: number, text: string} | null}} Layout */
+ *   later?: number, variants: Variant[], broke?: {time: number, text: string} | null}} Layout */
 /** @typedef {{name: string, label: string, group: string, unit: string,
  *   kind: "number" | "whole" | "vector" | "choice" | "flag", value: any, default: any,
  *   low: number, high: number, scale: "linear" | "log", minimum: number, maximum: number,

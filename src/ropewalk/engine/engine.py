@@ -31,6 +31,7 @@ from ropewalk.methods.controller import (
     SHORTEST,
     make_control,
 )
+from ropewalk.methods.errors import set_zero
 from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
@@ -186,6 +187,10 @@ class Engine:
             prepare_links(self.system, self.state, time, self._scratch.stage.saddle)
         else:
             prepare(self.system, self.state)
+
+    def count_errors(self) -> None:
+        """Count errors of the energy from the present state on."""
+        set_zero(self.system, self.state, *working_space(self.state), self.ledger)
 
     def _set_balance(self) -> None:
         """Write the energy at the start, from which gains count, and what of it may turn into motion."""

@@ -216,6 +216,13 @@ class Islands:
                 to[:] = numbers[first[k] : first[k] + to.size]
                 first[k] += to.size
 
+    def count_errors(self) -> None:
+        """Count errors of the energies from the present state on."""
+        self._spread()
+        for engine in self.engines:
+            engine.count_errors()
+        self.show_peaks()
+
     def show_peaks(self) -> None:
         """Write what the islands have seen into the state of the whole."""
         gather_peaks(self.shares, [engine.state for engine in self.engines], self.state)

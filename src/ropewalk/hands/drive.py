@@ -15,7 +15,8 @@ from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.motions.registry import HAND
 
 if TYPE_CHECKING:
-    from ropewalk.engine.engine import Bodies, Fall
+    from ropewalk.engine.engine import Bodies, Engine, Fall
+    from ropewalk.engine.islands import Islands
     from ropewalk.lowering import Layout, Model
     from ropewalk.simulation import Snapshot
     from ropewalk.simulation.block import Block
@@ -41,6 +42,7 @@ class Driven:
     apart: bool
     system: System
     _state: State
+    _engine: Engine | Islands
     _kinds: Ints
     _drive: Floats
     _bodies: Bodies
@@ -73,6 +75,10 @@ class Driven:
             self._first = made.state
         self.restore(self._first)
         self._forget_break()
+
+    def count_errors(self) -> None:
+        """Count errors of the energy from the present state on."""
+        self._engine.count_errors()
 
     @property
     def bodies(self) -> Bodies:

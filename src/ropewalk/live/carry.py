@@ -85,6 +85,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     )
     if scene.obstacles or scene.contact is not None:
         made.push({})  # forces and accelerations with what contacts hold
+    made.count_errors()  # not from where the scene would begin, nor from before all work
     return made
 
 

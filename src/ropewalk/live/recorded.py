@@ -8,6 +8,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import Picture, Shape, turns_of
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import losses_and_gifts
+from ropewalk.lowering.masses import line, masses
 from ropewalk.record.beyond import until_torn
 from ropewalk.record.quantities import PULLEYS
 from ropewalk.record.result import Result
@@ -27,8 +28,8 @@ class Recorded:
         self.result = result
         past = until_torn(result)
         self.past = past if past is not None and past.last == result.frames - 1 else None
-        first = result.read("energy", 0, 1)[0]
-        self.first_energy, self._first_gravity = float(first.sum()), float(first[1])
+        self.first_energy, self._first_gravity = 0.0, float(self._energy(0)[0][1])
+        self.first_energy = self._error(0)
         self._up = np.array(result.scene.up)
         lets_go = {one.name: one.release_time for one in result.scene.anchors}
         #: When each anchor lets go [s], None: never.
@@ -63,7 +64,36 @@ class Recorded:
         """Return another reader of the same run, for another thread."""
         made = Recorded(self.result)
         made.past = self.past
+        made.first_energy, made._first_gravity = self.first_energy, self._first_gravity
         return made
+
+    def follow(self, before: Recorded) -> None:
+        """Count energies on from a part that this one goes on from, or from a time within it."""
+        frame = int(np.searchsorted(before.result.time, self.time[0], side="right")) - 1
+        if self.result.scene.winches:  # what is on the drum is not known
+            shift = float(self._energy(0)[0][1] - before._energy(frame)[0][1])
+        else:
+            shift = self._gravity_zero() - before._gravity_zero()
+        self._first_gravity = before._first_gravity + shift
+        self.first_energy += self._error(0) - before._error(frame)
+
+    def _energy(self, frame: int) -> tuple[Floats, Floats]:
+        """Return a frame's energies, and its work by laws and anchors [J]."""
+        read = self.result.read
+        return read("energy", frame, frame + 1)[0], read("work", frame, frame + 1)[0]
+
+    def _error(self, frame: int) -> float:
+        """Return what no law accounts for in a frame's energy [J]."""
+        energy, work = self._energy(frame)
+        losses, gifts = losses_and_gifts(work, self.result.layout.bends, self.result.layout.more)
+        return float(energy.sum()) - self.first_energy - losses - gifts
+
+    def _gravity_zero(self) -> float:
+        """Return the energy of gravity as it is counted, less that over the origin [J]."""
+        scene, layout = self.result.scene, self.result.layout
+        mass, _ = masses(layout, tuple(map(line, scene.ropes)))
+        fall = self.result.read("positions", 0, 1)[0] @ np.array(scene.gravity)
+        return float(self._energy(0)[0][1] + mass @ fall)
 
     def picture(self, frame: int, after: int | None = None) -> Picture:
         """Return what a frame shows; of a step past a break only shape, tension and speed are its own.

@@ -37,6 +37,11 @@ class ReplayBroadcast:
         self.parts = [Recorded(result) for result in results]
         for part in self.parts[:-1]:
             part.past = None  # it was gone on from
+        for number, part in enumerate(self.parts):
+            for before in reversed(self.parts[: number if part.time[0] > 0.0 else 0]):
+                if before.time[0] <= part.time[0]:
+                    part.follow(before)
+                    break
         self.first = np.cumsum([0, *(part.frames for part in self.parts)])
         self.times = _timeline(self.parts)
         self.duration = float(self.times[-1])
@@ -119,6 +124,7 @@ class ReplayBroadcast:
         return {
             "type": "layout",
             "layout": part + 1,
+            "later": later,
             "bytes": end,
             "scene": {"name": scene.name, "description": scene.description, "preset": None},
             "up": list(scene.up),
@@ -174,9 +180,9 @@ class ReplayBroadcast:
 
 def _timeline(parts: list[Recorded]) -> Floats:
     """Return the time of every frame [s], counted from the first one on, over all parts."""
-    times, start = [], 0.0
+    times, start, end = [], 0.0, np.inf
     for part in parts:
-        own = part.time - part.time[0]
-        times.append(own + start)
-        start = float(times[-1][-1])
+        start += max(float(part.time[0]) - end, 0.0)  # it began between two frames
+        times.append(part.time - part.time[0] + start)
+        start, end = float(times[-1][-1]), float(part.time[-1])
     return np.concatenate(times)
