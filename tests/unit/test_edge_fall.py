@@ -25,6 +25,27 @@ def test_without_friction_it_is_the_fall_without_an_edge() -> None:
     assert found.time_of_stretch == pytest.approx(exact.time_of_stretch, abs=1e-3)
 
 
+def test_the_steps_of_a_fall_are_those_of_a_stiff_arm() -> None:
+    """They came from EA alone: beside an arm ten thousand times as stiff the force was 0.6 % off."""
+    soft = 100.0, 1e6, 1.0
+    found, exact = edge_fall(*soft, 80.0, edge_friction=0.0), solid_fall(*soft, 80.0)
+    assert found.mass_force == pytest.approx(exact.force, rel=1e-4)
+    assert found.stretch == pytest.approx(exact.stretch, rel=1e-4)
+
+
+@pytest.mark.parametrize(("arm", "time", "factor"), [(3e4, 0.3, 0.01), (3e5, 0.02, 0.2)])
+def test_a_fall_that_never_ends_slack_stretches_the_rope_to_rest(
+    arm: float, time: float, factor: float
+) -> None:
+    """Its first top was told as the largest stretch: 5.3 % of 7.8, to which the weight creeps on."""
+    found = solid_fall(1e4, arm, time, 80.0, factor=factor)
+    assert found.time_of_slack == found.time_of_stretch == math.inf
+    assert found.stretch == pytest.approx(80.0 * 9.81 / 1e4)
+    back = solid_fall(1e4, 1e4, 0.3, 80.0, factor=factor)
+    assert back.stretch > found.stretch
+    assert back.time_of_stretch < 1.0
+
+
 def test_an_edge_that_holds_leaves_the_strand_beyond_it() -> None:
     """With endless friction nothing passes: a fall of the same height into 2.5 m of rope."""
     found = edge_fall(*MEAN, 80.0, edge_friction=50.0)

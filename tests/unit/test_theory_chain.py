@@ -106,6 +106,32 @@ def test_random_rigid_chains_close() -> None:
         assert found.upward.sum() == pytest.approx(rise, abs=1e-10 * length.sum())
 
 
+@pytest.mark.parametrize("k", [1e3, math.inf])
+@pytest.mark.parametrize(
+    ("weights", "size"),
+    [
+        ([1.0, 0.0, 1.0], 1.5),
+        ([0.0, 1.0, 0.0], 1.5),
+        ([0.0, 0.0, 1.0], 2.0),
+        ([1.0, 0.0, 0.0], 0.0),
+    ],
+)
+def test_nodes_without_weight_are_carried_by_their_neighbours(
+    weights: list[float], size: float, k: float
+) -> None:
+    """They ended in an ArithmeticError and in warnings; upright, springs were told to pull 250 N for 1."""
+    found = lumped_chain(weights, k, 1.0, size)
+    assert found.along.sum() == pytest.approx(size, abs=1e-10)
+    assert found.upward.sum() == pytest.approx(0.0, abs=1e-10)
+    np.testing.assert_allclose(np.diff(found.vertical), weights, atol=1e-8)
+    sizes = 1.0 + found.tension / k
+    taut = found.tension > 0.0  # what is slack may be shorter
+    np.testing.assert_allclose(np.hypot(found.along, found.upward)[taut], sizes[taut])
+    assert found.tension.max() < 2.0
+    alone = lumped_chain([], math.inf, 1.0, 0.6, 0.8)
+    assert (alone.along[0], alone.upward[0]) == (0.6, 0.8)
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -115,6 +141,7 @@ def test_random_rigid_chains_close() -> None:
         (([-1.0], 10.0, 0.5, 1.0), "weights: must be finite and not negative"),
         (([1.0], 10.0, math.inf, 1.0), "length: must be finite"),
         (([1.0], 10.0, 0.5, -1.0), "across: -1.0"),
+        (([], math.inf, 2.0, 1.0), "length: 2 m - must be the distance of the ends, 1 m"),
     ],
 )
 def test_impossible_chains_are_refused(arguments, words: str) -> None:

@@ -53,14 +53,17 @@ def lumped_chain(
     """Return the exact equilibrium of a chain of point weights between two points.
 
     Args:
-        weights: of the s - 1 nodes between the ends [N], not negative.
+        weights: of the s - 1 nodes between the ends [N], not negative; 0 beside others counts as 1e-9 of the
+            largest, which decides where what hangs loose lies.
         stiffness: of the segments [N/m], (s,) or one for all; inf makes them rigid links.
         length: rest length of the segments [m], (s,) or one for all.
         across: horizontal distance of the ends [m].
         rise: how much higher the second end is [m].
 
-    Raises ValueError for rigid links that do not reach, for shapes that do not fit, and for numbers
-    that are not positive.
+    A spring alone that is longer than the distance of the ends is pressed: its tension is negative.
+
+    Raises ValueError for rigid links that do not reach, or one alone that does not fit, for shapes that do
+    not fit, and for numbers that are not positive.
 
     Source: the funicular polygon; Irvine, Cable Structures (1981), ch. 1, for the continuum.
     """
@@ -79,7 +82,14 @@ def lumped_chain(
         raise ValueError("length: must be finite and not negative")
     if not (np.all(weights >= 0.0) and np.all(np.isfinite(weights))):
         raise ValueError("weights: must be finite and not negative")
-    return hang(weights, k, rest, across, rise)
+    distance = math.hypot(across, rise)
+    if segments == 1 and math.isinf(k[0]) and rest[0] > distance * (1.0 + 1e-9):
+        raise ValueError(
+            f"length: {rest[0]:g} m - must be the distance of the ends, {distance:g} m: one rigid link alone "
+            "does not turn aside"
+        )
+    carried: Floats = np.maximum(weights, 1e-9 * weights.max(initial=0.0))
+    return hang(carried, k, rest, across, rise)
 
 
 def hanging_chain(weights: ArrayLike, stiffness: ArrayLike, length: ArrayLike) -> Hung:

@@ -24,7 +24,10 @@ from ropewalk.theory.given import need
 from ropewalk.theory.solid_fall import find_arm, root_of
 
 _FALL_FACTOR, _LENGTH, _BEHIND = 1.77, 2.8, 0.3  # of EN 892 [1], [m], [m]
-_STEPS = 400  # of a catch
+_STEPS, _QUICK = (
+    400,
+    200,
+)  # of a catch by the rope at rest, and by one that has had no time to relax
 _CATCHES = 6.0  # after which a rope is not waited for
 _ROUNDS = 60
 _NEWTON, _CLOSE, _SHIFT = 25, 1e-6, 1e-3
@@ -190,7 +193,8 @@ def _fallen(rig: _Rig, mass: float, factor: float, gravity: float) -> EdgeFall:
     speed = math.sqrt(2.0 * gravity * factor * length)
     catch = math.sqrt(mass * length / rig.EA) * math.pi
     x, v, qa, qb, passed = 0.0, speed, 0.0, 0.0, 0.0
-    dt = min(catch / _STEPS, 0.5 * rig.time)
+    quick = catch * math.sqrt(rig.EA / (rig.EA + rig.arm))  # while the arm has had no time to relax
+    dt = min(catch / _STEPS, quick / _QUICK, 0.5 * rig.time)
 
     def rates(x: float, v: float, qa: float, qb: float) -> tuple[float, float, float, float]:
         u = rig.slid(x, passed, qa, qb)

@@ -37,7 +37,7 @@ class SolidFall:
     force: float  # largest force on the fixed point [N]
     stretch: float  # largest stretch of the rope over its length [1]
     time_of_force: float  # after the rope is straight [s]
-    time_of_stretch: float  # [s]
+    time_of_stretch: float  # [s]; inf where the rope creeps on to rest
     time_of_slack: float  # when it carries nothing again [s]
     returned: float  # kinetic energy of the mass then, over the work of its weight to the lowest point [1]
 
@@ -166,6 +166,8 @@ def solid_fall(
     if math.isfinite(slack):
         speed = float(motion.at(np.array([slack]))[1, 0])
         back = 0.5 * speed**2 / (gravity * length * (factor + largest))
+    elif motion.rest > largest * length:  # it creeps on to rest
+        largest, longest = motion.rest / length, math.inf
     return SolidFall(
         float(motion.force(np.array([hardest]))[0]),
         largest,
