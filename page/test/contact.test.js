@@ -71,6 +71,41 @@ test("what friction takes is what the energies lose", () => {
   }
 });
 
+test("all loads on a node count for its contact", () => {
+  const whole = new Rope(over([1, 3]));
+  const [line] = over([1, 3]).lines;
+  const loads = [[0, 1], [30, 1], [30, 2]]; // prettier-ignore
+  const split = new Rope(over([1, 3], { lines: [{ ...line, loads }] }));
+  for (const part of /** @type {const} */ (["stiff", "damp", "hard"]))
+    assert.deepEqual(split.contact?.holds[0][part], whole.contact?.holds[0][part]); // prettier-ignore
+});
+
+test("a damper takes hold as far off as it must, however hard the hit", () => {
+  const n = 7;
+  const heavy = Array.from({ length: n }, (_, i) => (i === 3 ? 1.505 : 0.005));
+  const rows = (/** @type {(i: number) => number} */ of) =>
+    Array.from({ length: n }, (_, i) => of(i));
+  const hit = () => {
+    const scene = over([0, 0], {
+      x: [rows((i) => 0.1 * i), rows(() => 0), rows(() => 0.5)],
+      v: [rows(() => 0), rows(() => 0), rows(() => -10)],
+      mass: heavy, length: Array(n - 1).fill(0.1), stiffness: Array(n - 1).fill(1e3), vector: Array(n - 1).fill(0.1),
+      axial: Array(n - 1).fill(0), slack: Array(n - 1).fill(false), ropes: [[0, n - 1]],
+      posts: [post({ kind: "plane", axis: [0, 0, 1] })],
+      lines: [{
+        first: 0, last: n - 1, own: 0.005, whole: 1.535, diameter: 0.01, thickness: 0.005, segment: 0.1, loads: [[3, 1.5]],
+      }],
+    }); // prettier-ignore
+    return new Rope(scene);
+  };
+  const [rope, everywhere] = [hit(), hit()];
+  everywhere.contact?.reach.fill(100);
+  for (let i = 0; i < 1600; i++) for (const one of [rope, everywhere]) one.step("verlet", 5e-5);
+  assert.deepEqual(rope.x, everywhere.x);
+  const { damp, stiff } = /** @type {any} */ (rope.contact?.holds[0]);
+  assert.ok((damp[3] / stiff[3]) * 10 > 0.105, "it begins farther off than a segment is long");
+});
+
 test("without friction nothing is taken and nothing holds", () => {
   const rope = new Rope(over([1, 1.2], { posts: [post({ friction: 0 })] }));
   for (let i = 0; i < 4000; i++) rope.step("verlet", 8e-5);

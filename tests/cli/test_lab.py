@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ropewalk.lessons import lesson_scenes
+from ropewalk.live.lab import lab_scene
 from ropewalk.scene.presets import preset
 
 
@@ -35,6 +36,20 @@ def test_no_name_becomes_code(ropewalk: Any, tmp_path: Path) -> None:
     done = ropewalk("lab", "r1", "--set", f"name={json.dumps(name)}", "-o", "a.html")
     assert done.exit_code == 0
     assert "alert(1)</script>" not in (tmp_path / "a.html").read_text(encoding="utf-8")
+
+
+def test_another_method_is_not_taken_without_a_word() -> None:
+    """The scene was run by semi-implicit Euler at the step of the other: it broke at once."""
+    scene = preset("r1").replace(**{"run.method": "bdf2", "run.time_step": 0.5})
+    made = lab_scene(scene)
+    assert made["method"] == "semi-implicit-euler"
+    assert made["step"] < 0.1 * 0.5
+    assert made["about"].endswith(
+        "The lab has no bdf2: semi-implicit-euler in stable steps stands in for it."
+    )
+    own = lab_scene(preset("r1").replace(**{"run.method": "verlet"}))
+    assert own["method"] == "verlet"
+    assert "stands in" not in own["about"]
 
 
 def test_bad_labs(ropewalk: Any) -> None:

@@ -10,19 +10,28 @@ const SHARES = Array.from({ length: MODES }, (_, i) => (i + 1) / MODES);
  * number>>} */
 const PENCIL = { "semi-implicit-euler": 2, verlet: 4 };
 
+/** One over the masses [1/kg], zero where an anchor holds for good: one that lets go later frees its node.
+ * @param {Rope} rope */
+function loose({ mass, anchors }) {
+  const inverse = mass.map((one) => 1 / one);
+  for (const { node, release } of anchors) if (release === null) inverse[node] = 0;
+  return inverse;
+}
+
 /** The largest eigenvalue, if any is above zero, of a chain's matrix over its masses, by Sturm sequences.
  * @param {Rope} rope @param {Float64Array} values of the segments @param {Float64Array} own of the nodes */
 function highest(rope, values, own) {
-  const n = rope.n;
+  const { n } = rope;
+  const inverse = loose(rope);
   /** @type {number[]} */ const diagonal = [];
   /** @type {number[]} */ const squares = []; // of the entry before
   /** @type {number[]} */ const rows = []; // what no eigenvalue exceeds (Gershgorin)
   for (let i = 0; i < n; i++) {
     const [before, after] = [i ? values[i - 1] : 0, i < n - 1 ? values[i] : 0];
-    const w = rope.inverse[i];
+    const w = inverse[i];
     diagonal.push((before + after + own[i]) * w);
     rows.push(diagonal[i] + (Math.abs(before) + Math.abs(after)) * w);
-    squares.push(i ? before * before * w * rope.inverse[i - 1] : 0);
+    squares.push(i ? before * before * w * inverse[i - 1] : 0);
   }
   let [low, high] = [0, Math.max(...rows)];
   /** @param {number} at how many eigenvalues lie above it */

@@ -195,7 +195,9 @@ export class Contact {
     for (const hold of this.holds) {
       for (let i = first; i <= last; i++) {
         probe(hold.post, x[0][i], x[1][i], x[2][i], this.found);
-        const near = this.found[0] < this.reach[i];
+        const speed = Math.hypot(v[0][i], v[1][i], v[2][i]);
+        const brakes = (hold.damp[i] / hold.stiff[i]) * speed; // from so far off the damper takes hold
+        const near = this.found[0] < this.reach[i] + brakes;
         if (near || hold.near[i]) this.#remember(hold, i, x, v);
         hold.near[i] = near ? 1 : 0;
       }

@@ -34,7 +34,8 @@ export function gripOf(rope, post, lines) {
     const k = rope.stiffness[first];
     const turn = Math.min(segment / (round + 0.5 * diameter), SHARP);
     const firm = Math.min((gravity * whole * turn) / (FIRM * diameter), mostStiffness(k, own));
-    const loads = new Map(line.loads);
+    /** @type {Map<number, number>} */ const loads = new Map();
+    for (const [node, mass] of line.loads) loads.set(node, (loads.get(node) ?? 0) + mass);
     for (let i = first; i <= last; i++) {
       const mass = own + (loads.get(i) ?? 0);
       const asked = shownStiffness(k, mass, whole);

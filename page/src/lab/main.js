@@ -6,6 +6,7 @@ import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
 import { LITTLE, energies, gravityAt, tautEnergy, tensions, told } from "./measures.js";
 import { postRows, readPosts } from "./posts.js";
+import { named } from "./named.js";
 import { Probe, middle } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
@@ -76,12 +77,12 @@ class Lab {
 
   /** The scene that the address names behind its #, such as lessons.html#pendulum; else the first. */
   #named() {
-    const wanted = decodeURIComponent(location.hash.slice(1)).toLowerCase().replaceAll("-", " ");
-    const found = this.scenes.findIndex(
-      (scene) => wanted && scene.name.toLowerCase().includes(wanted),
+    const found = named(
+      this.scenes.map(({ name }) => name),
+      location.hash,
     );
-    choice("scene").value = String(Math.max(found, 0));
-    return Math.max(found, 0);
+    choice("scene").value = String(found);
+    return found;
   }
 
   /** Take a scene with its own values. @param {number} index */

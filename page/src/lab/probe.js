@@ -21,6 +21,7 @@ export function measured(lab, node, quantity) {
   if (quantity === "height") return along(up);
   if (quantity === "sideways") return along(across);
   if (quantity === "ratio") return readPosts(rope, tension)?.ratio ?? NaN;
+  if (quantity === "speed" && rope.hand?.node === node) return NaN; // it has no velocity of its own
   if (quantity === "speed") return Math.hypot(...rope.v.map((row) => row[node]));
   const beside = [node - 1, node].filter((j) => j >= 0 && j < rope.n - 1 && rope.stiffness[j] > 0);
   return beside.reduce((sum, j) => sum + tension[j], 0) / beside.length;
@@ -63,6 +64,7 @@ export class Probe {
     this.field.value = String(this.node);
     this.field.disabled = this.choice.value === "ratio"; // which is of no node
     this.strip.clear();
+    this.note(); // the graph and its table begin now
     this.lab.draw();
   }
 

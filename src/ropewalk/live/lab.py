@@ -80,6 +80,7 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
 
     Raises SceneError for laws and motions that the kernel does not have.
     """
+    scene, instead = _stepped(scene)
     model = started(build(scene))
     refused = _refused(model)
     if refused:
@@ -93,13 +94,14 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
     vector = np.where(joined, state.damping_vector, 0.0)
     axial = np.where(joined, state.damping_axial, 0.0) if system.flags[AXIAL] else 0.0 * vector
     about = f"{scene.description} Steps of {1e3 * plan.dt:.4g} ms." if scene.description else ""
+    about = f"{about} {instead}".strip()
     return {
         "name": scene.name,
         "about": about,
         "up": list(scene.up),
         "gravity": system.gravity.tolist(),
         "step": plan.dt,
-        "method": plan.method if plan.method in METHODS else METHODS[0],
+        "method": plan.method,
         "x": state.x.tolist(),
         "v": state.v.tolist(),
         "mass": state.mass.tolist(),
@@ -112,6 +114,16 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
         "anchors": [_anchor(model, row) for row in range(len(state.held))],
         **posts_of(model),
     }
+
+
+def _stepped(scene: Scene) -> tuple[Scene, str]:
+    """Return the scene with a method that the lab has, and what is said where that is another."""
+    method = build(scene).plan.method
+    if method in METHODS:
+        return scene, ""
+    run = scene.run.replace(method=METHODS[0], time_step="auto", steps="divide")
+    said = f"The lab has no {method}: {METHODS[0]} in stable steps stands in for it."
+    return scene.replace(run=run), said
 
 
 def _anchor(model: Model, row: int) -> dict[str, Any]:
