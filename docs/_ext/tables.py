@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import groupby
-from typing import Any
+from typing import Any, Literal, get_args, get_origin
 
 import click
 from docutils import nodes
@@ -88,7 +88,18 @@ def _meaning(field: FieldInfo) -> str:
         text += ": a table of kind " + ", ".join(tags)
     elif kind.models:
         text += " (tables of their own)" if kind.listed else " (a table of its own)"
+    elif choices := [
+        f'`"{name}"`' for name in _choices(field.annotation) if f'"{name}"' not in text
+    ]:
+        text += f" ({', '.join(choices)})"
     return text.replace("|", "\\|")
+
+
+def _choices(annotation: Any) -> list[str]:
+    """Return the texts that a field may be."""
+    if get_origin(annotation) is Literal:
+        return [one for one in get_args(annotation) if isinstance(one, str)]
+    return [text for part in get_args(annotation) for text in _choices(part)]
 
 
 def methods_table() -> Iterator[str]:

@@ -15,6 +15,7 @@ from ropewalk.library import names
 from ropewalk.library import rope as library_rope
 from ropewalk.lowering import build
 from ropewalk.scene import (
+    Air,
     Box,
     Contact,
     Cylinder,
@@ -133,6 +134,17 @@ def test_a_rider_s_density_is_that_of_his_loads_too() -> None:
 )
 def test_ordinary_scenes_pass(changes: dict[str, object]) -> None:
     assert slips(**changes) == ""
+
+
+@pytest.mark.parametrize(
+    ("air", "blows"),
+    [({}, False), ({"density": 1.2}, True), ({"node_drag": 0.1}, True), ({"node_drag_quadratic": 0.1}, True)],
+)  # fmt: skip
+def test_a_wind_needs_something_to_blow_on(air: dict[str, float], blows: bool) -> None:
+    scene = preset("r2")
+    windy = scene.replace(air=Air(wind=(5.0, 0.0, 0.0), **air))
+    told = [text for text in unit_slips(build(windy)) if "blows on nothing" in text]
+    assert told == [] if blows else len(told) == 1
 
 
 @pytest.mark.parametrize(

@@ -6,9 +6,9 @@ With a million nodes some take seconds; who asks for a verdict needs few of them
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -31,6 +31,13 @@ from ropewalk.statics import Statics, static_shape
 NEED_DAMPING = ("euler", "heun")  # methods that have no stable step where nothing damps
 # A swinging rope carries up to about three times its weight at rest.
 _SWING = 3.0
+_SOFTEST = 60.0  # [1] logarithm of how much softer springs are looked at
+#: Stability functions R(z) of methods for which relaxation is a rate next to the frequencies.
+STABILITY: dict[str, Callable[[Any], Any]] = {
+    "euler": lambda z: 1.0 + z,
+    "heun": lambda z: 1.0 + z + z**2 / 2.0,
+    "rk4": lambda z: 1.0 + z + z**2 / 2.0 + z**3 / 6.0 + z**4 / 24.0,
+}
 _WEAK = 1e-100  # [N/m] or [N m]: far below all that is a spring
 
 
@@ -103,7 +110,31 @@ class Theory:
         if dt > self._bound:
             bounces = self._cases.bounces.values()
             growth = max([growth, *(bounce_growth(method, bounce, dt) for bounce in bounces)])
+            if self._cases.decays(method):
+                growth = max(growth, self._relaxing_growth)
         return growth
+
+    @property
+    def _relaxing_growth(self) -> float:
+        """The factor per step by which the fastest mode of ropes that relax grows [1].
+
+        That of x'' = -w^2 ((1 - s) x + q), q' = s x' - q / T, s the share of the stiffness that relaxes: the
+        largest of |R(h l)| over the eigenvalues l, R the method's stability function.
+        """
+        w, found = self.highest_frequency, 1.0
+        for rope in self._model.scene.ropes:
+            solid = rope.made_of
+            if isinstance(solid, Springs) or solid.relaxing_EA is None:
+                continue
+            s, time = (
+                solid.relaxing_EA / (solid.EA + solid.relaxing_EA),
+                solid.relaxation_time or 0.0,
+            )
+            rates = np.linalg.eigvals(
+                [[0.0, w, 0.0], [-w * (1.0 - s), 0.0, -w], [0.0, s * w, -1.0 / time]]
+            )
+            found = max(found, float(np.abs(STABILITY[self._method](self._dt * rates)).max()))
+        return found
 
     @cached_property
     def meter(self) -> float:
@@ -112,7 +143,7 @@ class Theory:
 
     @cached_property
     def largest(self) -> Largest:
-        factor, unit = largest_factor(self._method, self.all_chains, self._dt)
+        factor, unit = stiffest(self._cases, self._method, self._dt)
         constant, material = _uniform(self._model.scene)
         return Largest(
             factor * unit,
@@ -212,6 +243,26 @@ def largest_factor(method: str, chains: list[Chain], dt: float) -> tuple[float, 
         unit = 2.0 ** min(-math.frexp(top)[1], 1023)
     scaled = (chain._replace(stiffness=chain.stiffness * unit) for chain in chains)
     return min(largest_stiffness_factor(method, chain, dt) for chain in scaled), unit
+
+
+def stiffest(cases: Cases, method: str, dt: float) -> tuple[float, float]:
+    """Return the largest factor on all springs at which dt is stable in every case, see `largest_factor`."""
+    own = cases.decays(method)
+    if own and own <= dt:
+        return 0.0, 1.0
+    factor, unit = largest_factor(
+        method, list(cases.chains.values()), 1.0 / (1.0 / dt - 1.0 / own) if own else dt
+    )
+    if cases.bounces_hold(method, dt, factor * unit):
+        return factor, unit
+    low, high = -_SOFTEST, math.log(min(factor * unit, math.exp(_SOFTEST)))
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if cases.bounces_hold(method, dt, math.exp(middle)):
+            low = middle
+        else:
+            high = middle
+    return math.exp(low), 1.0
 
 
 def why_none(chains: list[Chain]) -> str:

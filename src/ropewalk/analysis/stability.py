@@ -35,6 +35,7 @@ from ropewalk.statics import Statics
 STIFF = "bdf2"
 # Weak growth that multiplies a motion by less than this over the whole run does not break it.
 _HARMLESS = 10.0
+_SLIGHT = 1.001  # [1] growth per step that says little on its own
 _RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if roughly
 _SLACK = "where segments go slack"
 
@@ -181,9 +182,14 @@ class Stability:
                 margin = "no limit" + (", for small motions only" if self.rings else "")
             return f"stable at {at} ({bound}, {margin})"
         if self.breaks and self.case.startswith(_SLACK):
-            return f"may break at {at} {self.case}: up to x{self.growth_per_step:.4g} per step ({bound})"
+            grows = f"x{self.growth_per_step:.4g} per step"
+            if self.growth_per_step < _SLIGHT:
+                grows = f"x{self.growth_over_run:.3g} over the run"
+            return f"may break at {at} {self.case}: up to {grows} ({bound})"
         if self.breaks:
             return f"will break at {at}: x{self.growth_per_step:.4g} per step ({bound})"
+        if self.growth_over_run <= 1.0:
+            return f"not known to be stable at {at} ({bound})"
         return f"grows slowly at {at}: x{self.growth_over_run:.3g} over the run ({bound})"
 
     def as_dict(self) -> dict[str, object]:

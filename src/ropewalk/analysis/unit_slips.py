@@ -46,7 +46,7 @@ _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 def unit_slips(model: Model) -> list[str]:
     """Return one sentence for every number of a scene that looks like a slip of units."""
     scene = model.scene
-    found = _gravity(scene) + _run(scene) + _speeds(model) + _frictions(scene)
+    found = _gravity(scene) + _run(scene) + _speeds(model) + _frictions(scene) + _wind(scene)
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
@@ -126,6 +126,18 @@ def _frictions(scene: Scene) -> list[str]:
         f"{value:g} % is {0.01 * value:g}"
         for path, value in given
         if value > _ROUGHEST
+    ]
+
+
+def _wind(scene: Scene) -> list[str]:
+    """A wind without anything that it could blow on."""
+    air = scene.air
+    if air is None or not any(air.wind):
+        return []
+    if air.density or air.node_drag or air.node_drag_quadratic:
+        return []
+    return [
+        "air.wind: blows on nothing without a drag; give air.density (1.2 kg/m^3 at sea level), or node_drag"
     ]
 
 

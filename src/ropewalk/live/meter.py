@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from ropewalk.analysis.json_values import plain
-from ropewalk.analysis.linear_theory import largest_factor
+from ropewalk.analysis.linear_theory import stiffest
 from ropewalk.analysis.stability import (
     Stability,
     milliseconds,
@@ -39,7 +39,7 @@ def measure(model: Model) -> dict[str, Any]:
     case = min(own, key=lambda name: own[name])
     bound = own[case]
     steps = {name: min(found_cases.largest(name).values()) for name in METHODS}
-    scaled, unit = largest_factor(method, list(cases.values()), dt)
+    scaled, unit = stiffest(found_cases, method, dt)
     factor = scaled * unit
     constant, material = _constants(model)
     stable = dt <= bound

@@ -82,12 +82,25 @@ class Cases(NamedTuple):
         Where relaxation is among the unknowns of a method, as a rate next to the frequencies, both count.
         """
         found = {name: _largest_step(method, chain) for name, chain in self.chains.items()}
-        if method in _LARGEST_DECAY and math.isfinite(self.relaxation):
-            own = _LARGEST_DECAY[method] * self.relaxation
+        if own := self.decays(method):
             found = {name: 1.0 / (1.0 / h + 1.0 / own) if h else h for name, h in found.items()}
         for name, bounce in self.bounces.items():
             found[name] = largest_bounce_step(method, bounce, self.duration)
         return found
+
+    def decays(self, method: str) -> float:
+        """Return the largest step of a method that relaxation alone allows [s]; 0: it is of no matter."""
+        if method in _LARGEST_DECAY and math.isfinite(self.relaxation):
+            return _LARGEST_DECAY[method] * self.relaxation
+        return 0.0
+
+    def bounces_hold(self, method: str, dt: float, factor: float) -> bool:
+        """Tell whether segments that go slack gain little in steps of dt [s], springs so much stiffer [1]."""
+        root = math.sqrt(factor)
+        return factor == 0.0 or all(
+            dt <= largest_bounce_step(method, Bounce(own * root, ratio / root), self.duration)
+            for own, ratio in self.bounces.values()
+        )
 
 
 def step_cases(system: System, state: State, duration: float) -> Cases:

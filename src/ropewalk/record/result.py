@@ -252,7 +252,10 @@ class Result(PointForces, Outlets):
 
     @cached_property
     def balance_residual(self) -> Floats:
-        """Change of the kinetic energy minus all works [J], (frames,): round-off only.
+        """Change of the kinetic energy minus all works on nodes [J], (frames,): round-off only.
+
+        Left out are works that go into stored energy: those of winch and limiter, but for speeds that they
+        change at once, of turning clamps and of parting.
 
         NaN when the run kept no ledger, and in broken frames whose numbers are not finite.
         """

@@ -95,9 +95,8 @@ class Table(Model):
 
 
 class Shake(Model):
-    """The node swings along an axis as a sine of time, beginning at its initial place:
-
-    x0 + amplitude (sin(2 pi frequency t + phase) - sin(phase)) along the axis.
+    """The node swings along an axis as a sine of time, from its initial place x0 on: it is at x0 +
+    amplitude (sin(2 pi frequency t + phase) - sin(phase)) along the axis.
     """
 
     kind: Literal["shake"] = "shake"
