@@ -270,3 +270,26 @@ def test_a_climbing_rope_that_hangs_by_its_label_is_no_slip() -> None:
 def test_sources_are_plain_text() -> None:
     """One had backticks, which consoles and sheets print as they are."""
     assert not any("`" in text for text in sources().values())
+
+
+@pytest.mark.parametrize("name", [one for one in names() if one.startswith("semistatic")])
+def test_a_semi_static_rope_is_as_long_under_50_and_150_kg_as_its_note_says(name: str) -> None:
+    """3 and 5 % are of the length under 50 kg; EA was that of the unloaded one, 1.5 and 2.5 % too large."""
+    size = (rope(name).diameter / 0.0105) ** 2  # the loads go with the section
+    at_50, at_150 = (9.81 * mass * size for mass in (50.0, 150.0))
+    number = rope(name).numbers["EA"]
+    for EA, longer in ((number.value, 0.03), (number.low, 0.05)):
+        assert (at_150 - at_50) / (EA + at_50) == pytest.approx(longer, rel=2e-3)
+
+
+def test_averages_and_yielding_are_told_where_numbers_are_used() -> None:
+    """They stood in notes: an average took the place of a breaking load, and hair stretched to 6 %."""
+    assert rope("arborist-rigging-12.7").material().breaking_load is None
+    line = rw.line(20.0, 0.0, "arborist-rigging-12.7", sag="2 %")
+    assert "guessed 46.26 kN, at least 39.1 kN" in str(line)
+    hair = rw.Rope(
+        segments=1, length=0.1, made_of="human-hair", shape={"kind": "straight", "direction": (0, 0, -1)},
+        loads=[rw.Load(node=-1, mass=0.03)],
+    )  # fmt: skip
+    told = rw.check(rw.Scene(ropes=[hair], anchors=[rw.Anchor(node=0)]), measure=False).warnings
+    assert any("beyond what the EA of human-hair is right for (2 %" in text for text in told)
