@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.core.status import OK
 from ropewalk.laws.obstacle import radius_of
 from ropewalk.live.edits import Edit
 from ropewalk.live.track import Track
@@ -214,11 +215,11 @@ friction = 0.3
 def test_live_edits_let_contacts_hold() -> None:
     """Twenty edits that change nothing let a rope on a slope creep by 0.5 mm once; now by 1e-6 mm at most."""
     track: Any = Track(on_a_plane(math.radians(14.0)))
-    track.advance(90)
+    assert track.advance(90) == OK
     before = track.simulation.positions.copy()
     for _ in range(20):
         track.edit(Edit(track.scene, np.arange(5.0)))
-        track.advance(3)
+        assert track.advance(3) == OK
     assert np.abs(track.simulation.positions - before).max() < 1e-9
 
 

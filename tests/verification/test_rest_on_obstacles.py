@@ -15,6 +15,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.core.arrays import Floats
+from ropewalk.core.status import OK
 from ropewalk.lowering.touching import SLIPS
 from ropewalk.scene import (
     Anchor,
@@ -76,7 +77,7 @@ def stays(scene: Scene) -> float:
     simulation = Simulation(scene.replace(run=RUN.replace(start="at-rest")))
     before, most = simulation.positions.copy(), 0.0
     for _ in range(60):
-        simulation.advance_frames(1)
+        assert simulation.advance_frames(1).status == OK
         most = max(most, float(np.abs(simulation.positions - before).max()))
     return most
 

@@ -11,6 +11,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
+from ropewalk.core.status import OK
 from ropewalk.laws.couplings import FINE
 from ropewalk.lowering import build
 from ropewalk.scene import (
@@ -56,7 +57,7 @@ def stays(scene: Scene, frames: int = 60) -> float:
     simulation = Simulation(scene.replace(run=scene.run.replace(start="at-rest")))
     before, most = simulation.positions.copy(), 0.0
     for _ in range(frames):
-        simulation.advance_frames(1)
+        assert simulation.advance_frames(1).status == OK
         most = max(most, float(np.abs(simulation.positions - before).max()))
     return most
 

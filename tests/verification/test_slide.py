@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.core.status import OK
 from ropewalk.laws.slides.rail import look, piece_of, point_at, shares
 from ropewalk.laws.slides.reach import whole
 from ropewalk.laws.slides.slide_force import slide_energy, slide_forces
@@ -200,7 +201,7 @@ def test_a_bead_on_an_incline(mu: float) -> None:
         scene("esdirk3", step, slope=slope, EA=1e8, tail=1e-3, slide={"friction": mu})
     )
     length, before = SPAN / (LINE - 1), simulation.arrays.memory.slide.grip[0, 0]
-    simulation.advance_steps(round(time / step))
+    assert simulation.advance_steps(round(time / step)) == OK
     way = (simulation.arrays.memory.slide.grip[0, 0] - before) * length
     pull = max(g * (math.sin(slope) - mu * math.cos(slope)), 0.0)
     if pull > 0.0:

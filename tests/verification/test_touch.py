@@ -15,6 +15,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, flatten
+from ropewalk.core.status import OK
 from ropewalk.laws.contact import contact_forces, on_polygon
 from ropewalk.laws.contact_tangent import contact_tangent
 from ropewalk.laws.tangent import law_band
@@ -91,9 +92,9 @@ def incline(
 def moved(scene: Scene) -> float:
     """How far any node moves from 1 s to 5 s [m]."""
     simulation = Simulation(scene)
-    simulation.advance_frames(60)
+    assert simulation.advance_frames(60).status == OK
     before = simulation.positions.copy()
-    simulation.advance_frames(240)
+    assert simulation.advance_frames(240).status == OK
     return float(np.abs(simulation.positions - before).max())
 
 
@@ -176,7 +177,7 @@ def test_friction_on_a_slope_is_that_of_a_straight_rope(slope: float, method: st
     angle = math.atan(slope)
     simulation = Simulation(zigzag(math.degrees(angle), method))
     before = simulation.positions.copy()
-    simulation.advance_frames(60)
+    assert simulation.advance_frames(60).status == OK
     way = np.linalg.norm(simulation.positions - before, axis=1)
     slides = 0.5 * g * (math.sin(angle) - MU * math.cos(angle))
     assert way == pytest.approx(max(slides, 0.0), abs=1e-4)  # it sinks in by 0.05 mm

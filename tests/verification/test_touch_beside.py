@@ -10,6 +10,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.core.arrays import Floats
+from ropewalk.core.status import OK
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Air,
@@ -116,8 +117,8 @@ def test_it_holds_whatever_else_acts(law: str, method: str) -> None:
         parts["air"] = Air(node_drag=1e-3)
     run = RunSettings(duration=1.0, frame_rate=60.0, time_step=1.0 / 60.0, method=method)
     simulation = Simulation(Scene(obstacles=[Plane(normal=tuple(normal))], run=run, **parts))
-    simulation.advance_frames(24)
+    assert simulation.advance_frames(24).status == OK
     before = simulation.positions.copy()
-    simulation.advance_frames(12)
+    assert simulation.advance_frames(12).status == OK
     assert np.abs(simulation.positions - before).max() < 1e-9
     assert (simulation.positions @ normal).max() < 0.0

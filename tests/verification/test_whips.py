@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 
+from ropewalk.core.status import OK
 from ropewalk.methods.gain import MOST
 from ropewalk.methods.stage_report import SOLVES
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Straight
@@ -39,8 +40,9 @@ def test_no_step_makes_up_energy(method: str, segments: int) -> None:
     for start in range(3):
         simulation = Simulation(dropped(segments, method, TURN * start))
         first = simulation.recording().recording.energy.sum()
-        energy = simulation.advance_frames(RATE * SECONDS).recording.energy.sum(axis=1)
-        energy = np.concatenate([[first], energy]) - first
+        block = simulation.advance_frames(RATE * SECONDS)
+        assert block.status == OK
+        energy = np.concatenate([[first], block.recording.energy.sum(axis=1)]) - first
         assert np.diff(energy).max() < MOST * 2.0 * WEIGHT_TIMES_LENGTH
         assert -0.2 * WEIGHT_TIMES_LENGTH < energy[-1] < -0.1 * WEIGHT_TIMES_LENGTH
         iterations = simulation._engine._scratch.stage.report[SOLVES] / (RATE * SECONDS)
@@ -57,9 +59,9 @@ def test_windows_take_few_solves_in_the_whips_of_a_long_rope(method: str, most: 
     taken = []
     for start in range(6):
         simulation = Simulation(dropped(1000, method, TURN * start), ledger=False)
-        simulation.advance_frames(RATE)
+        assert simulation.advance_frames(RATE).status == OK
         report = simulation._engine._scratch.stage.report
         before = report[SOLVES]
-        simulation.advance_frames(RATE * (SECONDS - 1))
+        assert simulation.advance_frames(RATE * (SECONDS - 1)).status == OK
         taken.append((report[SOLVES] - before) / (RATE * (SECONDS - 1)))
     assert np.mean(taken) < most

@@ -68,7 +68,10 @@ def test_a_held_node_does_not_come_on_to_the_drum() -> None:
     """An anchor two segments from the drum ends the winding; it keeps its node and its place."""
     simulation = Simulation(winched(Winch(end="start", speed=-0.5), duration=4.0, nodes=(0, 2)))
     place = simulation.positions[2].copy()
-    list(simulation.frames())
+    for block in simulation.frames():
+        assert block.status == OK
+    assert simulation.winches["winch0"].stopped_by == "held node"
+    assert 7.0 < length(simulation) < 7.5  # the second node stays out; the first is wound on
     assert len(set(simulation.arrays.anchor_node)) == 2
     np.testing.assert_array_equal(simulation.positions[2], place)
 
