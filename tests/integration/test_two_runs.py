@@ -237,23 +237,35 @@ def test_a_disk_that_is_full_while_an_old_run_is_replaced(
 
 
 def test_what_a_dead_process_left_is_in_nobodys_way(tmp_path: Path) -> None:
-    (tmp_path / f".run.{os.getpid()}.new").mkdir()
+    """What is old is swept up; a moment old it may be another process' that is about to lock it."""
+    left, fresh = tmp_path / ".run.0123456789ab.new", tmp_path / ".run.ba9876543210.new"
+    for folder in (left, fresh):
+        folder.mkdir()
+    os.utime(left, (0, 0))
     record_run(SCENE, tmp_path / "run")
+    assert sorted(path.name for path in tmp_path.iterdir()) == [fresh.name, "run"]
     assert Result.open(tmp_path / "run").status == "finished"
 
 
-def test_a_reader_is_in_no_writers_way(tmp_path: Path) -> None:
-    """One who asks whether a folder is written holds its lock for a moment."""
+def test_a_reader_is_in_no_writers_way(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """One who asks whether a folder is written holds its lock for a moment. The twin: who keeps it is."""
     import fcntl
     import threading
 
-    record_run(SCENE, tmp_path / "run")
-    handle = os.open(tmp_path / "run" / ".lock", os.O_RDONLY)
-    fcntl.flock(handle, fcntl.LOCK_SH)
-    timer = threading.Timer(0.05, lambda: os.close(handle))
-    timer.start()
-    record_run(SCENE, tmp_path / "run", overwrite=True)
-    timer.join()
+    record_run(OTHER, tmp_path / "run")
+    for goes in (False, True):
+        handle = os.open(tmp_path / "run" / ".lock", os.O_RDONLY)
+        fcntl.flock(handle, fcntl.LOCK_SH)
+        timer = threading.Timer(0.05, lambda held=handle: os.close(held))
+        if goes:
+            in_between(monkeypatch, "_put_in_place", timer.start)  # the lock is asked for next
+            record_run(SCENE, tmp_path / "run", overwrite=True)
+            timer.join()
+        else:
+            with pytest.raises(RunError, match="is being written by another process"):
+                record_run(SCENE, tmp_path / "run", overwrite=True)
+            os.close(handle)
+        assert Result.open(tmp_path / "run").nodes == (11 if goes else 5)
 
 
 def test_processes_that_begin_at_once(tmp_path: Path) -> None:

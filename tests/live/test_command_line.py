@@ -73,7 +73,6 @@ def test_it_ends_cleanly_with_the_run_kept(tmp_path: Path, number: int) -> None:
     assert "Traceback" not in err
     assert out.strip() == "run folder: runs/r1-live-1"
     session = relive(tmp_path / "runs" / "r1-live-1")
-    assert session.count >= 0
     assert session.preset == "r1"
 
 
