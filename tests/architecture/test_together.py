@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene import SceneError
+from ropewalk.scene import SceneError, apply_overrides
 from ropewalk.simulation import Simulation
 from verification.feature_pairs import scene_of
 from verification.test_pairs import APART, OF_METHODS
@@ -28,6 +29,26 @@ NAMES = {
     "relaxation": "relaxation",
     "ropes that part": "parting",
     "slide": "slide",
+}
+POINTS = 'rope.made_of={kind="springs", spring_constant=50.0, node_mass=0.1, segment_length=0.0}'
+NO_LENGTH = (POINTS, "rope.length=none", 'rope.shape={kind="straight", end=[0.9, 0.0, 0.0]}')
+SOLID = "rope.made_of.tension_only=true", "rope.made_of.axial_damping=0.1"
+CURLED = "rope.made_of.EI=0.02", "rope.made_of.curvature=[0, 2, 0]"
+#: The rows of the first table that name fields: a feature, the fields, words of the refusal.
+OF_FIELDS = {
+    "winch and a natural curvature (`curvature`)": [
+        ("winch", CURLED, "curved by itself (curvature), with which a winch cannot wind it")
+    ],
+    "relaxation, `tension_only` and `axial_damping`, all three": [
+        ("relaxation", SOLID, "the loss of such a rope is its relaxation")
+    ],
+    "winch and `submerged_weight` on one rope": [
+        ("winch", ("rope.submerged_weight=0.1",), "a rope on a winch cannot have it")
+    ],
+    "winch, or `[limiter]`, and springs of no length": [
+        ("winch", NO_LENGTH, "has springs of no length, which a winch cannot change"),
+        ("limiter", NO_LENGTH, "cannot limit rope[0], whose springs have no length"),
+    ],
 }
 EXPLICIT = tuple(name for name, method in METHODS.items() if not method.implicit)
 
@@ -70,9 +91,21 @@ def documented_methods() -> set[tuple[frozenset[str], str]]:
 
 
 def test_the_page_has_the_pairs_that_are_refused() -> None:
+    named = [row[0] for row in tables()[0] if "`" in row[0]]
+    assert named == list(OF_FIELDS)
     assert documented_pairs() == {frozenset(pair) for pair in APART}
     refused = {(frozenset(those), name) for those, names, _ in OF_METHODS for name in names}
     assert documented_methods() == refused
+
+
+@pytest.mark.parametrize("row", OF_FIELDS)
+def test_fields_that_do_not_go_together_are_refused(row: str) -> None:
+    """The twin: without the feature the same fields are taken."""
+    for feature, fields, words in OF_FIELDS[row]:
+        with pytest.raises(SceneError) as refused:
+            build(apply_overrides(scene_of("implicit-euler", feature, implicit=True), fields))
+        assert [words in str(fault) for fault in refused.value.faults] == [True]
+        build(apply_overrides(scene_of("implicit-euler", implicit=True), fields))
 
 
 @pytest.mark.parametrize("pair", APART, ids=" and ".join)
