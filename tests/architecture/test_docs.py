@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import re
 import shlex
 import tomllib
@@ -19,6 +20,7 @@ from ropewalk.simulation import Simulation
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+PRINTED = re.compile(r"# (<.*>|-?\d[-\d., ]*)$")  # beside a `print`: what it shows
 INLINE = re.compile(r"`(ropewalk [^`]+)`")
 BASE = """
 [[rope]]
@@ -45,7 +47,9 @@ def blocks(page: Path, language: str) -> list[str]:
 
 def commands(page: Path) -> list[str]:
     """Return the lines of a page's shell blocks that call ropewalk, and inline commands."""
-    lines = "\n".join(blocks(page, "bash")).replace("\\\n", " ").splitlines()
+    bodies = [body for shell in ("bash", "sh", "console") for body in blocks(page, shell)]
+    lines = "\n".join(bodies).replace("\\\n", " ").splitlines()
+    lines = [line.removeprefix("$ ") for line in lines]
     found = [line for line in lines if re.match(r"(\.venv/bin/)?ropewalk\b", line)]
     return found + INLINE.findall(page.read_text(encoding="utf-8"))
 
@@ -71,6 +75,34 @@ def parse(line: str) -> None:
             for value in given if isinstance(given, list | tuple) else [given]:
                 if isinstance(value, str):
                     parameter.type.convert(value, parameter, own)
+
+
+def in_digits(number: float, shown: str) -> str:
+    """Return a number with as many digits behind the point as another is shown with."""
+    return f"{number:.{len(shown.partition('.')[2])}f}"
+
+
+def run_python(page: Path, block: str, names: dict[str, Any]) -> list[str]:
+    """Run a block of a page; check what its lines print that say so beside it, and return what they say."""
+    said, lines = [], block.splitlines()
+
+    def told(*values: object) -> None:
+        frame = inspect.currentframe()
+        assert frame is not None
+        assert frame.f_back is not None
+        found = PRINTED.search(lines[frame.f_back.f_lineno - 1])
+        if found is None:
+            return
+        said.append(found[1])
+        if found[1].startswith("<"):
+            assert str(*values) == found[1]
+            return
+        wanted = found[1].split(", ")
+        assert [in_digits(float(str(v)), w) for v, w in zip(values, wanted, strict=True)] == wanted
+
+    names["print"] = told
+    exec(compile(block, str(page), "exec"), names)
+    return said
 
 
 def merged(base: dict[str, Any], part: dict[str, Any]) -> dict[str, Any]:
@@ -118,8 +150,21 @@ def test_python_runs(page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     monkeypatch.chdir(tmp_path)
     (tmp_path / "scene.toml").write_text(BASE + "[run]\nduration = 0.5\n")
     names: dict[str, Any] = {"__name__": "page"}
-    for block in blocks(page, "python"):
-        exec(compile(block, str(page), "exec"), names)
+    said = [one for block in blocks(page, "python") for one in run_python(page, block, names)]
+    assert said == [
+        found[1]
+        for block in blocks(page, "python")
+        for line in block.splitlines()
+        if "print(" in line and (found := PRINTED.search(line))
+    ]
+
+
+def test_what_a_page_says_is_printed_is_compared() -> None:
+    run_python(ROOT, "print(26.46, 35.41)  # 26.5, 35.4", {})
+    for wrong in ("print(26.44)  # 26.5", "print('<A>')  # <B>", "print(1.0, 2.0)  # 1.0"):
+        with pytest.raises((AssertionError, ValueError)):
+            run_python(ROOT, wrong, {})
+    assert run_python(ROOT, "print(1.0)  # N, the force", {}) == []
 
 
 @pytest.mark.parametrize("name", ["obstacles", "pulleys", "touching", "pile"])
