@@ -205,9 +205,12 @@ def test_something_slides_along_a_relaxing_line_on_a_winch() -> None:
         Scene(
             ropes=[line, hook],
             anchors=[Anchor(rope="line", node=0), Anchor(rope="line", node=-1)],
-            slides=[Slide(rope="hook", on="line", at=1.6, friction=0.1)],
+            slides=[Slide(rope="hook", on="line", at=0.6, friction=0.1)],  # where it is steep
             winches=[Winch(rope="line", end="start", speed=-0.1)],
             run=RunSettings(method="esdirk3", duration=0.5, frame_rate=20.0, time_step=5e-3),
         )
     )
     assert result.status == "finished"
+    assert np.ptp(result.slide("slide0").place) > 0.01
+    length = result.rest_length.sum(axis=1)
+    assert length[-1] - length[0] == pytest.approx(-0.1 * 0.5, rel=1e-9)
