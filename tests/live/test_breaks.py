@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from live.drive import do, r4, refused
+from live.drive import do, r4, refused, slack_rope
 from ropewalk.live import breaks
 from ropewalk.live.meter import measure
+from ropewalk.live.pictures import Compared, pictures
 from ropewalk.live.remedies import holds_without_friction, suggested_step
 from ropewalk.live.session import Break, Session
 from ropewalk.lowering import build
@@ -174,6 +175,20 @@ def test_variants_are_driven_by_the_same_hand() -> None:
     assert [len(track.scene.ropes) for track in session.tracks] == [2, 2, 2]
     do(session, "compare", variants=[])
     assert len(session.tracks) == 1
+
+
+def test_copies_are_compared_at_one_time() -> None:
+    """The last copy's steps end up to one of them earlier: 10 m/s made 1.8 mm of that."""
+    session = Session(slack_rope(4))
+    do(session, "compare", variants=[{"changes": {"time_step": 3e-4}}])
+    do(session, "kick", node=2, velocity=[0.0, 0.0, 10.0])
+    session.advance(10)
+    first, copy = session.tracks
+    assert first.simulation.time - copy.simulation.time > 1.5e-4
+    shown = pictures(session.tracks, Compared())[1].scalars
+    apart = np.linalg.norm(copy.simulation.positions - first.simulation.positions, axis=1).max()
+    assert apart > 1.5e-3
+    assert shown["difference_max"] < 0.05 * apart
 
 
 def test_the_variant_that_breaks_is_named() -> None:

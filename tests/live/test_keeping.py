@@ -212,3 +212,14 @@ def test_a_replay_shows_what_was_recorded(tmp_path: Path) -> None:
     assert np.allclose(first, Result.open(tmp_path / "run").positions[0], atol=1e-6)
     sizes = [broadcast.layout(part)["bytes"] for part in (0, 1)]
     assert len(data) == 21 * sizes[0] + 11 * sizes[1]
+
+
+def test_a_large_scene_is_recorded_at_a_megabyte_a_second(tmp_path: Path) -> None:
+    """It was twice that."""
+    session = Session(slack_rope(700))
+    keeper = Keeper(session, tmp_path / "run")
+    frame = sum(array.nbytes for array in session.main.frame().recording)
+    keeper.close()
+    rate = session.loaded.run.frame_rate / keeper._every
+    assert keeper._every > 1
+    assert 0.7e6 < frame * rate < 1.3e6

@@ -5,10 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from live.drive import do, slack_rope
 from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.table import CONTACTS, PUSH
+from ropewalk.live import describe
 from ropewalk.live.carry import carry_over
 from ropewalk.live.edits import same_nodes
+from ropewalk.live.session import Session
 from ropewalk.scene import (
     Contact,
     Kick,
@@ -94,3 +97,25 @@ def test_contacts_that_an_edit_leaves_alone_carry_on_as_hard_as_they_are() -> No
     grip[:, [STIFF, DAMP], 2] = 1234.0, 56.0
     made = carry_over(simulation, scene.replace(gravity=(0, 0, -1)), same_nodes(simulation.layout))
     assert (made.arrays.memory.obstacle.grip[0, [STIFF, DAMP], 2] == (1234.0, 56.0)).all()
+
+
+def test_a_load_at_a_cut_end_does_not_take_the_ropes_own_half_segment() -> None:
+    """Of a rope of 2 kg 0.1 kg was gone where a load was hung on a cut end and taken off again."""
+    session = Session(slack_rope(10))
+    whole = session.main.simulation.arrays.mass.sum()
+    do(session, "cut", segment=4)
+    assert describe.layout(session)["variants"][0]["loads"] == []  # nobody has hung one
+    assert session.main.simulation.arrays.mass.sum() == pytest.approx(whole, rel=1e-12)
+    for change in ("load", "segments", "load", "cut", "load"):
+        node = session.main.simulation.layout.ropes[0].last
+        if change == "load":
+            for mass in (1.0, 2.0, 0.0):
+                do(session, "load", node=node, mass=mass)
+                now = session.main.simulation.arrays.mass.sum()
+                assert now - mass == pytest.approx(whole, rel=1e-12)
+                told = describe.layout(session)["variants"][0]["loads"]
+                assert [one["mass"] for one in told] == ([mass] if mass else [])
+        elif change == "segments":
+            do(session, "set", name="segments", value=6)
+        else:
+            do(session, "cut", segment=2)

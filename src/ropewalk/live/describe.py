@@ -11,6 +11,7 @@ import numpy as np
 from ropewalk.analysis.json_values import plain
 from ropewalk.core.arrays import Floats
 from ropewalk.live.changes import loaded_value, origin
+from ropewalk.live.edits import CutEnd
 from ropewalk.live.frame import HEADER, SCALARS
 from ropewalk.live.gaps import gaps, told
 from ropewalk.live.parameters import GROUND, PARAMETERS, ROPE, Parameter
@@ -147,7 +148,7 @@ def anchor_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
 
 
 def load_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
-    """Return the loads of a layout message."""
+    """Return the loads of a layout message: what hangs on ropes, not what is their own."""
     return [
         {
             "rope": rope.name,
@@ -157,6 +158,7 @@ def load_list(scene: Scene, where: Layout) -> list[dict[str, Any]]:
         }
         for rope in scene.ropes
         for load in rope.loads
+        if not isinstance(load, CutEnd)
     ]
 
 

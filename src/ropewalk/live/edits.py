@@ -46,6 +46,10 @@ class Edit:
     note: str = ""
 
 
+class CutEnd(Load):
+    """Half a segment's mass at the end of a cut rope: the rope's own, which no hand takes off."""
+
+
 def check_size(scene: Scene) -> None:
     """Raise SceneError for a scene that is too large to be shown live."""
     nodes = sum(rope.nodes for rope in scene.ropes)
@@ -145,7 +149,11 @@ def load(scene: Scene, layout: Layout, index: int, mass: float) -> Edit:
         raise refusal("mass", mass, "must be from 0 to 1e+09 kg")
     ropes = list(scene.ropes)
     i = scene.rope_index(name)
-    loads = [one for one in ropes[i].loads if ropes[i].node_index(one.node) != node]
+    loads = [
+        one
+        for one in ropes[i].loads
+        if isinstance(one, CutEnd) or ropes[i].node_index(one.node) != node
+    ]
     loads += [Load(node=node, mass=mass)] if mass > 0.0 else []
     ropes[i] = ropes[i].replace(loads=loads)
     return Edit(scene.replace(ropes=ropes), same_nodes(layout))
@@ -284,7 +292,7 @@ def _two_names(scene: Scene, name: str) -> tuple[str, str]:
 def _piece(scene: Scene, rope: Rope, low: int, high: int, name: str) -> Rope:
     """Return the part of a rope from node `low` to node `high`, with half a segment's mass at cuts."""
     loads = [
-        Load(node=node - low, mass=one.mass)
+        one.replace(node=node - low)
         for one in rope.loads
         if low <= (node := rope.node_index(one.node)) <= high
     ]
@@ -305,9 +313,9 @@ def _piece(scene: Scene, rope: Rope, low: int, high: int, name: str) -> Rope:
             forces += [Force(node=high - low, force=lifted)] if high < rope.segments else []
             changes["forces"] = forces
         if low > 0:
-            loads.append(Load(node=0, mass=half))
+            loads.append(CutEnd(node=0, mass=half))
         if high < rope.segments:
-            loads.append(Load(node=high - low, mass=half))
+            loads.append(CutEnd(node=high - low, mass=half))
     return rope.replace(loads=loads, **changes)
 
 

@@ -41,6 +41,7 @@ BYTES_PER_SECOND = (
     1_000_000  # of simulated time at most; larger scenes are recorded at fewer frames
 )
 CHUNK_FRAMES = 120
+_BYTES_OF_A_NODE = 112  # and its segment, in a frame of all quantities: 72 and 40
 MOST_PARTS = 1000
 _JUMPS = frozenset(["reset", "scene", "back", "undo", "remedy"])
 _LAST = 600.0  # [s] for what is left to be written at the end, of a machine that is very slow
@@ -134,7 +135,7 @@ class Keeper:
 
     def _set_rate(self, layout: Layout) -> None:
         self._layout = layout
-        frame = max(56 * layout.nodes, 1)
+        frame = max(_BYTES_OF_A_NODE * layout.nodes, 1)
         rate = self.session.loaded.run.frame_rate
         self._every = max(1, round(frame * rate / BYTES_PER_SECOND))
 

@@ -91,7 +91,8 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
         **turns_of(recording.wheel[0]),
     }
     if first is not None:
-        scalars |= _difference(positions, first.positions, source)
+        late = first.scalars["time"] - simulation.time  # its steps may end a little before
+        scalars |= _difference(positions + late * state.v.T, first.positions, source)
     held = state.held.astype(np.float64)
     anchors = np.concatenate(
         [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1

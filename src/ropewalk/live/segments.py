@@ -11,7 +11,6 @@ from ropewalk.scene import (
     Fault,
     Force,
     Kick,
-    Load,
     Points,
     Polyline,
     Rope,
@@ -86,7 +85,7 @@ def resegment(scene: Scene, index: int, segments: int) -> Scene:
         return moved_node(node, rope.segments, segments)
 
     changes["forces"] = [Force(node=moved(one.node), force=one.force) for one in rope.forces]
-    changes["loads"] = [Load(node=moved(one.node), mass=one.mass) for one in rope.loads]
+    changes["loads"] = [one.replace(node=moved(one.node)) for one in rope.loads]
     kicks = {moved(one.node): one.velocity for one in rope.kicks}
     changes["kicks"] = [Kick(node=node, velocity=velocity) for node, velocity in kicks.items()]
     anchors: list[Anchor] = [

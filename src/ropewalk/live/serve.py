@@ -120,18 +120,18 @@ class ViewServer:
             return None if scene is None else (lambda: scene)
 
         def ask() -> Scene:
-            from ropewalk.live.frozen import Frozen
+            from ropewalk.live.standing import Standing
 
-            found: Future[Frozen] = Future()
+            found: Future[Standing] = Future()
 
             def answer(broadcast: Any) -> None:
                 try:
-                    found.set_result(Frozen.of(broadcast.session))
+                    found.set_result(Standing.of(broadcast.session))
                 except BaseException as error:
                     found.set_exception(error)
 
             self.live.do(answer)
-            return found.result(10.0).thaw()
+            return found.result(10.0).scene()
 
         return ask
 
