@@ -2,6 +2,7 @@
 
 import { figures } from "../view/range.js";
 import { length, minus, times } from "../view/vector.js";
+import { ofFirst } from "./counterpart.js";
 import { paceOf, throwOf } from "./throw.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
@@ -20,6 +21,7 @@ export class Hand {
     this.viewport = viewport;
     this.hit = hit;
     this.way = way;
+    this.node = ofFirst(viewport.session.layout, hit).node; // which commands name
     /** @type {Vector} where the pointer has it, in the picture */
     this.place = hit.place;
     this.sent = -Infinity; // when [ms]
@@ -63,7 +65,7 @@ export class Hand {
     const { session } = this.viewport;
     const pace = paceOf(session.frame, session.status);
     if (hit.kind === "anchor") session.send({ type: "drag", anchor: hit.anchor, target, pace });
-    else session.send({ type: "grab", node: hit.node, target, pace, limit });
+    else session.send({ type: "grab", node: this.node, target, pace, limit });
   }
 
   /** The velocity of a kick [m/s], as long as its arrow is on the screen. */
@@ -83,7 +85,7 @@ export class Hand {
     } else if (this.way === "kick") {
       marks.kick = null;
       const velocity = this.velocity();
-      if (length(velocity) > 0.05) session.tell({ type: "kick", node: this.hit.node, velocity });
+      if (length(velocity) > 0.05) session.tell({ type: "kick", node: this.node, velocity });
     } else if (this.hit.kind === "anchor") {
       this.sendTarget();
       session.send({ type: "drop", anchor: this.hit.anchor });
@@ -94,7 +96,7 @@ export class Hand {
         ? times(throwOf(this.trace, time, RECENT), 1 / pace)
         : [0, 0, 0];
       const velocity = length(thrown) > THROW ? thrown : null;
-      session.send({ type: "let_go", node: this.hit.node, velocity });
+      session.send({ type: "let_go", node: this.node, velocity });
     }
     this.over = true;
   }

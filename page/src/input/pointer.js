@@ -1,5 +1,6 @@
 // Mouse, pen and fingers on the scene: turn, shift and zoom the view; take hold of anchors and ropes.
 
+import { ofFirst } from "./counterpart.js";
 import { Hand } from "./hand.js";
 import { BodyHand, pickBody } from "./body.js";
 import { pick } from "./pick.js";
@@ -171,7 +172,8 @@ export class Pointer {
     const other = ties ? pick(this.viewport, x, y, this.reach(event)) : null;
     const hadHand = hand !== undefined && this.moved;
     this.dropHand(event.pointerId, event.shiftKey || this.keep, this.moved, event.timeStamp);
-    if (hand instanceof Hand && other && other.node !== hand.hit.node)
+    const { layout } = this.viewport.session;
+    if (hand instanceof Hand && other && ofFirst(layout, other).node !== hand.node)
       this.actions.tie(hand.hit, other);
     if (this.moved || this.menuOpened || hadHand || this.down.size) return;
     if (event.button === 2) this.openMenu(x, y);

@@ -1,6 +1,7 @@
 // What the hand does to a rope: the tools at the side and the menu at the pointer.
 
 import { lead, turnable } from "../input/body.js";
+import { ofFirst } from "../input/counterpart.js";
 import { figures } from "../view/range.js";
 import { times } from "../view/vector.js";
 import { button, h, popup, unfolder } from "./dom.js";
@@ -101,12 +102,13 @@ export class Tools {
   /** Use a tool on what was pressed. @param {Tool} tool @param {Hit} hit */
   use(tool, hit) {
     const { session } = this.viewport;
+    const { node } = ofFirst(session.layout, hit);
     if (tool === "pin") {
       if (hit.kind === "anchor") session.tell({ type: "unpin", anchor: hit.anchor });
-      else session.tell({ type: "pin", node: hit.node });
+      else session.tell({ type: "pin", node });
     } else if (tool === "cut") this.cut(hit);
-    else if (tool === "load") session.tell({ type: "load", node: hit.node, mass: this.mass });
-    else if (tool === "follow") this.follow(hit.node);
+    else if (tool === "load") session.tell({ type: "load", node, mass: this.mass });
+    else if (tool === "follow") this.follow(node);
     else if (tool === "tie") this.tie(hit);
   }
 
@@ -122,7 +124,8 @@ export class Tools {
       return;
     }
     this.tieNone();
-    session.tell({ type: "tie", node: first.node, other: hit.node });
+    const [one, other] = [first, hit].map((each) => ofFirst(session.layout, each).node);
+    session.tell({ type: "tie", node: one, other });
   }
 
   /** Tie nothing after all. */
@@ -134,8 +137,10 @@ export class Tools {
   }
 
   /** Cut the joint, or the segment where there is none. @param {Hit} hit */
-  cut({ joint, segment }) {
+  cut(hit) {
     const { session } = this.viewport;
+    const { joint } = hit;
+    const { segment } = ofFirst(session.layout, hit);
     if (joint !== undefined && session.can("untie")) session.tell({ type: "untie", joint });
     else session.tell({ type: "cut", segment });
   }
@@ -172,7 +177,7 @@ export class Tools {
       ]);
       return;
     }
-    const { node } = hit;
+    const { node, segment } = ofFirst(session.layout, hit);
     const loads = session.layout?.variants[0].loads.filter((load) => load.index === node) ?? [];
     const hung = loads.reduce((sum, load) => sum + load.mass, 0);
     const up = this.viewport.camera.up;
@@ -194,7 +199,7 @@ export class Tools {
       {
         label: "Cut here",
         command: "cut",
-        press: () => session.tell({ type: "cut", segment: hit.segment }),
+        press: () => session.tell({ type: "cut", segment }),
       },
       ...[1, 10].map((mass) => ({
         label: `Hang ${mass} kg here`,
