@@ -12,7 +12,7 @@ from ropewalk.analysis.compare import compare_runs, differing_settings, distance
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import apply_overrides
 from ropewalk.scene.presets import preset
-from runs import hanging
+from runs import breaking, hanging
 
 SHORT = ["run.duration=1.0"]
 
@@ -115,6 +115,20 @@ def test_a_broken_run_is_compared_up_to_its_break(reference):
     assert found.time[-1] < 0.2
     assert np.isfinite(found.largest).all()
     assert "until one run broke" in found.note
+
+
+def test_a_break_after_the_common_time_is_not_told():
+    """The end of the shorter run, a sound one, was told to be when the longer one broke."""
+    broken = simulate_in_memory(breaking(duration=1.0), keep_going=True)
+    late = broken.broke_at
+    assert broken.status == "broke"
+    short, long = (
+        simulate_in_memory(hanging(time_step=1 / 60, spring_constant=3.0, duration=duration))
+        for duration in (0.5 * late, 1.0)
+    )
+    for pair in ((short, broken), (broken, short)):
+        assert distance(*pair).note == ""
+    assert distance(long, broken).note.endswith(f"until one run broke at {late:.4g} s")
 
 
 def test_rows_hold_the_numbers_of_the_runs(reference):

@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.record.limiter_note import MOST
 from ropewalk.scene import (
+    Air,
     Anchor,
+    Force,
     Kick,
     Limiter,
     Material,
@@ -17,6 +20,8 @@ from ropewalk.scene import (
     Rope,
     RunSettings,
     Scene,
+    Sphere,
+    Velocity,
 )
 
 ABOUT = "about the stretch limiter"
@@ -32,6 +37,8 @@ def hung(mass: float, speed: float, **more: object) -> rw.Result:
         made_of=soft,
         shape=Points(points=[(0, 0, -i / count) for i in range(count + 1)]),
         loads=[{"node": -1, "mass": mass}],
+        diameter=0.01,
+        forces=more.pop("forces", []),
         kicks=[Kick(node=-1, velocity=(speed, 0, 0))] if speed else [],
     )
     run = {"method": "semi-implicit-euler", "time_step": 1e-4, "duration": 0.5, "frame_rate": 100.0}
@@ -40,6 +47,7 @@ def hung(mass: float, speed: float, **more: object) -> rw.Result:
         anchors=[Anchor(node=0)],
         limiter=Limiter(min_stretch=0.5, max_stretch=1.05),
         air=more.pop("air", None),
+        obstacles=more.pop("obstacles", []),
         run=RunSettings(**(run | more)),
     )
     return rw.simulate(scene)
@@ -65,6 +73,28 @@ def test_what_it_put_in_is_told_whole_where_other_things_take_of_it() -> None:
     put_in, risen = ((one - np.minimum.accumulate(one)).max() for one in (work, total))
     assert put_in > 1.2 * risen
     assert f"it has put in {put_in:.3g} J" in thick.table[ABOUT]
+
+
+@pytest.mark.parametrize(
+    "driver",
+    [
+        {"forces": [Force(node=-1, force=(3.0, 0, 0))]},
+        {"air": Air(node_drag=1.0, wind=(1.0, 0, 0))},
+        {
+            "obstacles": [
+                Sphere(center=(-0.3, 0, -1.0), radius=0.1, motion=Velocity(velocity=(0.15, 0, 0)))
+            ]
+        },
+    ],
+)
+def test_what_drives_a_scene_is_not_the_limiters(driver: dict[str, object]) -> None:
+    """A force, wind or an obstacle that pushes raised the energy, and the limiter was told to have."""
+    result = hung(1.0, 0.0, segments=20, time_step=1e-3, duration=4.0, **driver)
+    work, total = result.work["limiter"], result.energy["total"]
+    given, risen = ((one - np.minimum.accumulate(one)).max() for one in (work, total))
+    turned = np.ptp(result.energy["gravity"])
+    assert min(given, risen) > MOST * turned  # what was asked alone
+    assert ABOUT not in result.table
 
 
 @pytest.mark.parametrize("method", ["semi-implicit-euler", "esdirk3"])

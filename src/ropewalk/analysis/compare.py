@@ -171,8 +171,11 @@ def distance(first: Result, second: Result) -> Distance:
         gap = _gap(first, second, a, b, same)
         largest[i : i + _CHUNK] = gap.max(axis=1)
         rms[i : i + _CHUNK] = np.sqrt((gap**2).mean(axis=1))
-    broke = max(len(r.time) - g for r, g in zip((first, second), goods, strict=True))
-    note = f"{way}, until one run broke at {end:.4g} s" if broke > 0 else ""
+    broke = any(
+        good < len(run.time) and run.time[good - 1] <= end + slack
+        for run, good in zip((first, second), goods, strict=True)
+    )
+    note = f"{way}, until one run broke at {end:.4g} s" if broke else ""
     return Distance(moments.copy(), largest, rms, way, note)
 
 

@@ -13,7 +13,9 @@ import numpy as np
 
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.turnover import largest_change
+from ropewalk.scene import Scene
 from ropewalk.scene.motions import Fixed
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -24,21 +26,28 @@ MOST = 0.05  # [1] of the energy turned over that it may give: one that has just
 def limiter_note(result: Result) -> str:
     """Say how much energy a limiter has made up, where it is too much; else ""."""
     scene, good = result.scene, result.good_frames
-    driven = scene.winches or not all(isinstance(one.motion, Fixed) for one in scene.anchors)
-    if not scene.limiter or driven or METHODS[result.plan.method].implicit:
+    if not scene.limiter or _driven(scene) or METHODS[result.plan.method].implicit:
         return ""
     work = result.work["limiter"][:good]
     if not np.isfinite(work).all():
         return ""
     # its work alone grows where a load hangs at its bound: against the weight's, step by step
-    total = result.energy["total"][:good]
+    total = result.energy["total"][:good] - result.work["applied"][:good]
     given, risen = (float((one - np.minimum.accumulate(one)).max()) for one in (work, total))
     turned = largest_change(part[:good] for name, part in result.energy.items() if name != "total")
     if not min(given, risen) > MOST * turned > 0.0:
         return ""
     return (
-        f"it has put in {given:.3g} J, {100.0 * given / turned:.3g} % of the energy turned over, where it "
-        "can only take: it holds nodes at their bounds, but does not stop them. Do not trust velocities, "
+        f"it has put in {given:.3g} J, {percent(100.0 * given / turned, 3)} of the energy turned over, where "
+        "it can only take: it holds nodes at their bounds, but does not stop them. Do not trust velocities, "
         "forces or energies; take method = esdirk3, fewer segments, or "
         f"time_step = {0.1 * result.plan.dt:.3g} s or less"
     )
+
+
+def _driven(scene: Scene) -> bool:
+    """Tell whether anything moves or blows that may put energy in; constant forces have their own work."""
+    moved = (one.motion for one in (*scene.anchors, *scene.obstacles))
+    winds = scene.air is not None and any(scene.air.wind)
+    turned = any(body.spin is not None for body in scene.obstacles)
+    return bool(scene.winches) or winds or turned or not all(isinstance(m, Fixed) for m in moved)
