@@ -4,7 +4,16 @@ from __future__ import annotations
 
 import pytest
 
+from ropewalk.analysis.check import check
+from ropewalk.analysis.cost import run_time
+from ropewalk.analysis.stability import stability
+from ropewalk.lowering import build
+from ropewalk.record.ends import End, in_words
+from ropewalk.record.margins import margin_words
+from ropewalk.scene import Anchor, Load, Material, Rope, Scene
+from ropewalk.words.counts import counted
 from ropewalk.words.percents import percent
+from runs import hanging
 
 
 @pytest.mark.parametrize(
@@ -29,3 +38,54 @@ def test_digits_and_signs() -> None:
     assert percent(1035.6, 3) == "1036 %"
     assert percent(150.0, sign="+") == "+150 %"
     assert percent(0.0, sign="+") == "+0 %"
+
+
+def test_margins_are_written_out() -> None:
+    """Was 3.92e+03 %."""
+    assert margin_words(39.24) == (
+        "3924 % of the breaking load, safety factor 0.0255; it would have parted"
+    )
+    assert margin_words(0.1234).startswith("12.3 % of")
+
+
+@pytest.mark.parametrize(
+    ("seconds", "measured", "words"),
+    [
+        (110.4, True, "in about 110 s"),  # was 1.1e+02 s
+        (99.6, True, "in about 100 s"),
+        (12.34, True, "in about 12 s"),
+        (1e-5, False, "in about 1 ms (not measured)"),  # was "in some 1 ms to 1 ms"
+        (0.03, False, "in some 10 ms to 90 ms (not measured)"),
+    ],
+)
+def test_run_times_are_written_out(seconds: float, measured: bool, words: str) -> None:
+    assert run_time(build(hanging()), seconds, measured) == words
+
+
+def test_one_thing_is_no_plural() -> None:
+    assert [counted(number, "step") for number in (0, 1, 2)] == ["0 steps", "1 step", "2 steps"]
+    ends = tuple(End((name,), 0.1, 5, f"{name} broke.") for name in "abcd")
+    assert in_words(ends, 4) == "a broke. b broke. c broke. 1 more rope broke after that."
+    assert in_words((*ends, ends[0]), 5).endswith("2 more ropes broke after that.")
+    scene = hanging(duration=0.01, frame_rate=100.0, time_step=0.01, segments=1)
+    found = check(scene, measure=False)
+    assert found.pace == "1 frame of 1 step, 1 step of 10 ms"
+    assert "rope 'rope': 1 segment, " in str(found)
+
+
+def test_the_margin_of_a_step_is_written_out() -> None:
+    """Was 1.13e+03 %."""
+    scene = hanging(time_step=1e-3, spring_constant=300.0).replace(anchors=[Anchor(node=0)])
+    found = stability(scene)
+    assert found.margin > 10.0
+    assert f", margin {100.0 * found.margin:.0f} %)" in found.verdict
+
+
+def test_what_parts_at_rest_is_written_out() -> None:
+    """A breaking load in kN typed as N was carried by 4.925e+04 %."""
+    made_of = Material(EA=1e5, mass_per_length=0.1, breaking_load=10.0, parts=True)
+    rope = Rope(segments=2, length=2.0, made_of=made_of, loads=[Load(node=-1, mass=500.0)])
+    found = check(Scene(ropes=[rope], anchors=[Anchor(node=0)]), measure=False)
+    share = 100.0 * found.ropes[0].utilisation
+    assert share > 1e4
+    assert any(f"carries {share:.0f} % of the breaking load" in said for said in found.warnings)

@@ -18,7 +18,8 @@ from ropewalk.plots.contact_forces import coils
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.export import export
 from ropewalk.record.result import Result
-from ropewalk.scene import Scene, loads
+from ropewalk.scene import Cylinder, Obstacle, Plane, Scene, Sphere, Velocity, loads
+from verification.test_meshes import block
 
 TURNS = 1.5
 
@@ -126,6 +127,44 @@ def test_obstacles_are_drawn_where_they_are(slipping: Result, draw: object) -> N
     limits = figure.axes[0].get_xlim()
     assert limits[0] < -0.05
     assert limits[1] > 0.3  # the picture holds all of the ring
+
+
+@pytest.mark.parametrize("kind", ["mesh", "cylinder"])
+def test_the_picture_holds_what_looks_like_a_rectangle(kind: str) -> None:
+    """Four corners were taken for a plane's, and lay outside the picture."""
+    body = block((0.06,) * 3, 0.01, position=(0.2, 0, 0))
+    if kind == "cylinder":
+        body = Cylinder(start=(0.2, 0, -0.05), end=(0.2, 0, 0.05), radius=0.05)
+    scene = round_a_drum()
+    run = rw.simulate(scene.replace(obstacles=[body], run=scene.run.replace(duration=0.01)))
+    seen = backdrop(run, "xz")
+    assert len(seen.outlines[0].outer) == 4
+    assert seen.outlines[0].outer[:, 0].max() == pytest.approx(0.25)
+    assert seen.box.right > 0.25
+
+
+@pytest.mark.parametrize(
+    ("body", "upright"),
+    [
+        (None, True),
+        (Plane(point=(0, 0, -1.5)), True),  # level: it looks alike all along the axis of time
+        (Plane(point=(-1, 0, 0), normal=(1, 0, 0)), False),
+        (Sphere(center=(0.3, 0, -0.5), radius=0.1), False),
+        (Sphere(center=(0.3, 0, -0.5), radius=0.1, motion=Velocity(velocity=(1, 0, 0))), False),
+    ],
+)
+def test_shapes_stand_side_by_side_only_where_no_obstacle_is_beside_them(
+    body: Obstacle | None, upright: bool
+) -> None:
+    """Obstacles were drawn in metres on an axis that is time."""
+    springs = rw.Springs(spring_constant=20.0, node_mass=0.1, segment_length=0.25)
+    rope = rw.Rope(segments=4, made_of=springs, diameter=0.01, shape={"kind": "hanging"})
+    settings = rw.RunSettings(duration=0.2, time_step=2e-3, method="semi-implicit-euler")
+    bodies = [] if body is None else [body]
+    scene = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], obstacles=bodies, run=settings)
+    axes = plots.shape(rw.simulate(scene), plane="xz").axes[0]
+    assert axes.get_xlabel() == ("time [s]" if upright else "x [m]")
+    assert len(axes.patches) >= len(bodies)
 
 
 def test_a_plane_is_drawn_where_it_is_seen_edge_on() -> None:

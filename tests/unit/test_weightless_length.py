@@ -10,9 +10,11 @@ from click.testing import CliRunner
 
 import ropewalk as rw
 import runs
+from ropewalk import plots
 from ropewalk.cli import main
 from ropewalk.cli.results_table import results_rows
 from ropewalk.record.result import Result
+from ropewalk.scene import Sphere, Straight
 
 
 @pytest.fixture(scope="module")
@@ -53,6 +55,46 @@ def test_vtk_holds_its_segment(swing: Result, tmp_path: Path) -> None:
     assert done.exit_code == 0, done.output
     frame = next((tmp_path / "vtk").rglob("*.vtp")).read_text()
     assert 'NumberOfLines="1"' in frame
+
+
+@pytest.fixture(scope="module")
+def drawn_out() -> rw.Scene:
+    """Four springs of 100 N/m between nodes of 0.1 kg, drawn to 0.5 m each, above a ball."""
+    springs = rw.Springs(
+        spring_constant=100.0, node_mass=0.1, segment_length=0.0, spring_friction=0.5
+    )
+    shape = Straight(start=(0, 0, 0), end=(2, 0, 0))
+    rope = rw.Rope(segments=4, made_of=springs, shape=shape, diameter=0.01)
+    settings = rw.RunSettings(duration=0.1, time_step=2e-3, method="semi-implicit-euler")
+    return rw.Scene(
+        ropes=[rope],
+        anchors=[rw.Anchor(node=0), rw.Anchor(node=-1)],
+        obstacles=[Sphere(center=(1, 0, -0.1), radius=0.08)],
+        run=settings,
+    )
+
+
+def test_waves_run_along_it_as_fast_as_sideways(drawn_out: rw.Scene) -> None:
+    """They stood at 0 m/s: a segment's rest length is no way that a wave goes."""
+    (rope,) = rw.check(drawn_out.replace(obstacles=[]), measure=False).ropes
+    assert rope.longitudinal == pytest.approx((0.5 * np.sqrt(100.0 / 0.1),) * 2, rel=1e-3)
+    assert rope.transverse == pytest.approx(rope.longitudinal, rel=1e-9)
+
+
+def test_figures_lay_its_segments_side_by_side(drawn_out: rw.Scene) -> None:
+    """All points lay at 0 m, and an axis of 1 m had the segments."""
+    result = rw.simulate(drawn_out)
+    tension, forces, contact = (
+        draw(result).axes for draw in (plots.tension, plots.forces, plots.contact)
+    )
+    assert tension[0].images[0].get_extent()[2:] == [0.0, 4.0]
+    assert tension[0].get_ylabel() == "along the rope [segments]"
+    profile = plots.tension(result, times=[0.1]).axes[1]
+    for axes in (profile, forces[1], contact[1]):
+        assert axes.get_xlabel() == "along the rope [segments]"
+        assert list(axes.lines[0].get_xdata()) == [0.5, 1.5, 2.5, 3.5]
+    assert list(contact[0].lines[0].get_xdata()) == [0.0, 1.0, 2.0, 3.0, 4.0]
+    assert forces[1].get_xlim() == profile.get_xlim() == (0.0, 4.0)
 
 
 def test_what_lies_on_a_drum_is_no_rope() -> None:

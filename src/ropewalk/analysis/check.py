@@ -40,6 +40,7 @@ from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics, static_shape
 from ropewalk.words.annotations import unquoted
+from ropewalk.words.counts import counted
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 
@@ -86,11 +87,11 @@ class Check:
     @property
     def pace(self) -> str:
         """Frames and steps in words."""
+        frames = counted(self.frames, "frame")
         if self.tolerance is not None:
-            return f"{self.frames} frames, steps to a tolerance of {1e3 * self.tolerance:.4g} mm"
-        steps = f"{self.steps} steps of {milliseconds(self.stability.step)}"
-        each = "1 step" if self.steps_per_frame == 1 else f"{self.steps_per_frame} steps"
-        return f"{self.frames} frames of {each}, {steps}"
+            return f"{frames}, steps to a tolerance of {1e3 * self.tolerance:.4g} mm"
+        each, steps = (counted(n, "step") for n in (self.steps_per_frame, self.steps))
+        return f"{frames} of {each}, {steps} of {milliseconds(self.stability.step)}"
 
     def as_dict(self) -> dict[str, object]:
         """Plain values for JSON; None stands for what is not finite."""
@@ -286,4 +287,4 @@ def _stability_warnings(found: Stability) -> list[str]:
 
 def _count(which: NDArray[np.bool_], noun: str) -> str:
     number = int(which.sum())
-    return f"{number} {noun} lies" if number == 1 else f"{number} {noun}s lie"
+    return f"{counted(number, noun)} {'lies' if number == 1 else 'lie'}"

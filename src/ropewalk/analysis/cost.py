@@ -31,15 +31,15 @@ def run_time(model: Model, seconds: float, measured: bool) -> str:
         return f"in about {_duration(seconds)}{pace}"
     if touches(model):
         return "in a time that is not known: contact makes steps dearer, up to sixty times"
-    low, high = seconds / _WITHIN, seconds * _WITHIN
-    return f"in some {_duration(low)} to {_duration(high)} (not measured)"
+    low, high = _duration(seconds / _WITHIN), _duration(seconds * _WITHIN)
+    return f"in {'about' if low == high else f'some {low} to'} {high} (not measured)"
 
 
 def _duration(seconds: float) -> str:
     if seconds < 1.0:
         return f"{max(1e3 * seconds, 1.0):.0f} ms"
     if seconds < 120.0:
-        return f"{seconds:.2g} s"
+        return f"{seconds:.2g} s" if seconds < 99.5 else f"{seconds:.0f} s"
     return f"{seconds / 60:.3g} min" if seconds < 7200.0 else f"{seconds / 3600:.3g} h"
 
 

@@ -18,6 +18,7 @@ from ropewalk.scene.from_library import origin_words
 from ropewalk.scene.guess import doubt_of, worst_of
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
+from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.pushes import largest_push
 
@@ -62,7 +63,9 @@ class RopeCheck:
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
         masses = mass_words(self.own_mass, self.mass, ".6g")
-        text = [f"rope {self.name!r}: {self.segments} segments, {self.length:.6g} m, {masses}"]
+        text = [
+            f"rope {self.name!r}: {counted(self.segments, 'segment')}, {self.length:.6g} m, {masses}"
+        ]
         text += [f"  {one}" for one in (self.made_of, self.curve) if one]
         if not self.rests:
             return text
@@ -121,7 +124,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         length=rope.length_unstretched,
         mass=rope.total_mass,
         own_mass=rope.own_mass,
-        longitudinal=_speeds_along(model, rope, segments, own, statics.stretch),
+        longitudinal=_speeds_along(model, rope, segments, own, statics.stretch, stretched),
         transverse=(float(speed.min()), float(speed.max())) if speed.size else None,
         largest_tension=largest,
         largest_strain=_strain(rest, statics.stretch[segments]),
@@ -139,13 +142,17 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
 
 
 def _speeds_along(
-    model: Model, rope: Rope, segments: slice, node_mass: float, stretch: Floats
+    model: Model, rope: Rope, segments: slice, node_mass: float, stretch: Floats, stretched: Floats
 ) -> tuple[float, float]:
     """Return the slowest and the fastest wave along a rope [m/s]; `stretch` [1], (s,), of all segments.
 
-    Where a part of the stiffness relaxes slow waves do without it, and fast ones have it.
+    Where a part of the stiffness relaxes slow waves do without it, and fast ones have it. Along springs
+    without a rest length they run as far as these have been `stretched` at rest [m].
     """
     length = rope.segment_length
+    if length == 0.0:
+        rate = math.sqrt(rope.segment_stiffness / node_mass)
+        return float(stretched.min()) * rate, float(stretched.max()) * rate
     if not model.system.elastic.time.size or (model.system.elastic.of[segments] < 0).all():
         speed = length * math.sqrt(rope.segment_stiffness / node_mass)
         return speed, speed

@@ -30,6 +30,7 @@ from ropewalk.methods.bound import (
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics
+from ropewalk.words.percents import percent
 
 # Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
 STIFF = "bdf2"
@@ -177,7 +178,7 @@ class Stability:
         if self.stable and self.uncovered:
             return f"no bound holds for {self.method} here: {self.uncovered}"
         if self.stable:
-            margin = f"margin {100 * self.margin:.3g} %"
+            margin = f"margin {percent(100 * self.margin, 3)}"
             if math.isinf(self.margin):
                 margin = "no limit" + (", for small motions only" if self.rings else "")
             return f"stable at {at} ({bound}, {margin})"

@@ -171,7 +171,7 @@ def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
         )
         then = f"it {'parts' if as_given else 'may part'} {then}"
         doubt = f"; {rope.doubt}" if rope.doubt else ""
-        share = f"{100.0 * rope.utilisation:.4g} % of the breaking load"
+        share = f"{percent(100.0 * rope.utilisation, 4)} of the breaking load"
         found.append(f"rope {rope.name!r}: carries {share} at rest; {then}{doubt}")
     return found
 

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ropewalk.lowering.touching import stretches
+from ropewalk.plots.arcs import arc_label, node_arcs, segment_arcs
 from ropewalk.plots.sight import Floats, frame_at, good_frames
 from ropewalk.plots.style import (
     GREY,
@@ -112,18 +113,11 @@ def contact(result: Result, time: float | None = None) -> Figure:
     return figure
 
 
-def _arcs(result: Result, frame: int, rope: str) -> Floats:
-    """Return the unstretched arc length of the nodes of a rope [m]."""
-    lengths = result.rope(rope).rest_length[frame]
-    found: Floats = np.concatenate([[0.0], np.cumsum(lengths)])
-    return found
-
-
 def _draw_forces(axes: Axes, result: Result, frame: int) -> None:
     sizes = np.linalg.norm(result.contact_force[frame], axis=1)
     for number, span in enumerate(result.layout.ropes):
         own = sizes[span.first : span.last + 1]
-        arc = _arcs(result, frame, span.name)
+        arc = node_arcs(result, frame, span.name)
         axes.plot(arc, own, marker=".", label=escape(span.name), **line_style(number))
     axes.set_ylim(bottom=0.0)
     scaled_axis(axes, "force on a node", "N", max(map(abs, axes.get_ylim())))
@@ -133,8 +127,8 @@ def _draw_forces(axes: Axes, result: Result, frame: int) -> None:
 
 def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> None:
     for number, span in enumerate(result.layout.ropes):
-        arc = _arcs(result, frame, span.name)
-        middles, live = 0.5 * (arc[:-1] + arc[1:]), result.rope(span.name).live[frame]
+        middles = segment_arcs(result, frame, span.name)
+        live = result.rope(span.name).live[frame]
         values = result.rope(span.name).tension[frame]
         axes.plot(middles[live], values[live], marker=".", **line_style(number))
         offset = span.start - span.first
@@ -153,7 +147,7 @@ def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> 
         axes.legend(loc="best")
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
-    axes.set_xlabel("unstretched arc length [m]")
+    axes.set_xlabel(arc_label(result, [span.name for span in result.layout.ropes]))
 
 
 def _told(coil: Coil, on_ropes: bool) -> str:

@@ -25,6 +25,7 @@ from ropewalk.plots.style import (
 )
 from ropewalk.plots.torn import broken_note
 from ropewalk.record.turnover import share_turned
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -116,7 +117,7 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     if good < len(result.time):
         _break_scale(axes, [error, least, most], good, 3)
     worst, part = float(np.nanmax(np.abs(result.energy_errors[:good]))), share_turned(result)
-    share = "" if np.isnan(part) else f" ({_percent(0.01 * part)} of the energy turned over)"
+    share = "" if np.isnan(part) else f" ({_share(part)} of the energy turned over)"
     said = f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
     if result.has_extremes:
         said += " The band has every step."
@@ -125,8 +126,9 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     )
 
 
-def _percent(share: float) -> str:
-    return f"{100 * share:.3g} %" if share < 10 else "many times"
+def _share(part: float) -> str:
+    """Return a share in words, from per cent."""
+    return percent(part, 3) if part < 1000.0 else "many times"
 
 
 def _break_scale(axes: Axes, curves: list[Floats], good: int, ticks: int) -> None:

@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
+from ropewalk.plots.arcs import arc_label, node_arcs, segment_arcs
 from ropewalk.plots.canvas import (
     Backdrop,
     backdrop,
@@ -158,22 +159,21 @@ def _make_room(axes: Axes, tips: np.ndarray) -> None:
 
 
 def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
-    """Draw the tension of every segment over unstretched arc length."""
+    """Draw the tension of every segment along its rope."""
     curves = []
     most = 0.0
     for number, span in enumerate(result.layout.ropes):
         rope = result.rope(span.name)
         live = rope.live[frame]
-        lengths = rope.rest_length[frame]  # what a winch has paid out counts where it is now
-        arc = (np.cumsum(lengths) - 0.5 * lengths)[live]
+        arc = segment_arcs(result, frame, span.name)[live]
         values = rope.tension[frame][live]
         curves.append(values)
-        most = max(most, float(rope.rest_length[frame].sum()))
+        most = max(most, float(node_arcs(result, frame, span.name)[-1]))
         axes.plot(arc, values, marker=".", label=escape(span.name), **line_style(number))
     low, high = limits(curves)
     axes.set_ylim(min(low, 0.0) if low < 0.5 * high else low, high)
     axes.set_xlim(0.0, most or 1.0)
-    axes.set_xlabel("unstretched arc length [m]")
+    axes.set_xlabel(arc_label(result, [span.name for span in result.layout.ropes]))
     scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     if 1 < len(curves) <= 8:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))

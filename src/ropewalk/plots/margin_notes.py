@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.plots.style import escape
 from ropewalk.record.margins import breaking_load, doubt_words, margin_of, margin_words
 from ropewalk.scene import Rope
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -25,7 +26,7 @@ def margin_notes(result: Result, first: int, stop: int) -> list[str]:
         if now is None or until is None:
             return []
         return [
-            f"{now[0]}{100.0 * now[1]:.3g} % of the breaking load at this moment.",
+            f"{now[0]}{percent(100.0 * now[1], 3)} of the breaking load at this moment.",
             f"{until[0]}at most {margin_words(*until[1:3])} since the start{_more(until[3])}.",
         ]
     found = _nearest(result, first, stop)

@@ -37,6 +37,17 @@ class Outline(NamedTuple):
     hole: Floats | None = None
     triangles: Floats | None = None  # (t, 3, 2)
     lines: Floats | None = None
+    endless: bool = False  # a plane's solid side, or a trough
+
+    @property
+    def level(self) -> bool:
+        """Whether it is all that is below a height."""
+        (left, low), (right, high) = self.outer[:2]
+        return (
+            self.endless
+            and len(self.outer) == 4
+            and abs(high - low) <= _EDGE_ON * abs(right - left)
+        )
 
 
 def outlines_of(result: Result, view: Sight, time: float | None = None) -> tuple[Outline, ...]:
@@ -127,7 +138,8 @@ def _edge_on(point: Floats, normal: Floats, far: float) -> Outline | None:
         return None
     way = far * np.array([-normal[1], normal[0]])
     below = -far * normal
-    return Outline(np.stack([point + way, point - way, point - way + below, point + way + below]))
+    corners = np.stack([point + way, point - way, point - way + below, point + way + below])
+    return Outline(corners, endless=True)
 
 
 def _trough(
@@ -148,7 +160,8 @@ def _trough(
                 inside,
                 np.stack([inside[-1] + high, edges[1] + high, low + wide]),
             ]
-        )
+        ),
+        endless=True,
     )
 
 
@@ -207,7 +220,7 @@ def near(outlines: Sequence[Outline], points: Floats) -> Floats:
     flat = flat[np.isfinite(flat).all(axis=1)]
     low, high = flat.min(axis=0), flat.max(axis=0)
     room = _ROOM * float((high - low).max())
-    whole = [one.outer for one in outlines if len(one.outer) > 4]  # planes have four corners
+    whole = [one.outer for one in outlines if not one.endless]
     small = [outer for outer in whole if np.ptp(outer, axis=0).max() < 4.0 * room]
     corners = np.concatenate([np.empty((0, 2)), *small])
     found: Floats = np.clip(corners, low - room, high + room)

@@ -27,6 +27,7 @@ from ropewalk.plots.canvas import (
     prepare,
 )
 from ropewalk.plots.given_forces import draw_forces, given_notes
+from ropewalk.plots.outlines import outlines_of
 from ropewalk.plots.sight import (
     Floats,
     frame_at,
@@ -217,9 +218,13 @@ def _legend(axes: Axes, result: Result, with_times: bool) -> None:
 
 
 def _upright(result: Result, seen: Backdrop, frames: list[int]) -> bool:
-    """Whether all shapes lie on one upright line, so that they would hide one another."""
+    """Whether all shapes lie on one upright line, so that they would hide one another.
+
+    Not beside obstacles: across, the picture is then of time, and has room only for what is level.
+    """
     good = [f for f in frames if f < seen.good]
-    if len(good) < 2:
+    moving = outlines_of(result, seen.view, float(result.time[0]))
+    if len(good) < 2 or moving or not all(one.level for one in seen.outlines):
         return False
     points = np.stack([positions_of(result, slice(f, f + 1))[0] for f in good])
     flat = seen.view.project(points)

@@ -11,6 +11,7 @@ from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from ropewalk.lowering import Span
+from ropewalk.plots.arcs import IN_SEGMENTS, arc_label, segment_arcs
 from ropewalk.plots.curves import mark_break, time_limits
 from ropewalk.plots.margin_notes import margin_notes
 from ropewalk.plots.sight import Floats, frame_at, good_frames, limits
@@ -41,13 +42,13 @@ _TAIL = 0.2  # percent of the values that may lie beyond the colours, on either 
 
 
 class Map(NamedTuple):
-    """Tension of one rope at equally long pieces of the arc from 0 to `length`."""
+    """Tension of one rope at equally long pieces of the arc from 0 to `length` [m], or of its segments."""
 
     values: Floats  # (f, s) [N] in the frames
     least: Floats  # (f, s) [N] of all steps since the frame before; of the frame where no more is known
     greatest: Floats  # (f, s) [N]
-    length: float  # [m]
-    origin: str  # what arc length is counted from
+    length: float
+    label: str  # of the axis along the rope, with its unit
 
 
 @styled
@@ -79,7 +80,7 @@ def tension(
     grid = figure.subplots(rows, 1, squeeze=False)[:, 0]
     for number, axes, found in zip(shown, grid, maps, strict=False):
         image = draw_map(axes, result, found, scale, colours, good)
-        axes.set_ylabel(f"{found.origin} [m]")
+        axes.set_ylabel(found.label)
         axes.set_xlim(*time_limits(result, good))
         mark_break(axes, result, good)
         if len(shown) > 1:
@@ -129,8 +130,8 @@ def tension_map(result: Result, rope: int) -> Map:
     winches = {w.end for w in result.scene.winches if w.rope == span.name}
     if not winches:
         length = result.scene.ropes[rope].length_unstretched
-        origin = "arc length" if length else "segments"
-        return Map(layers[0], layers[1], layers[2], length or 1.0, origin)
+        label = "arc length [m]" if length else IN_SEGMENTS
+        return Map(layers[0], layers[1], layers[2], length or float(span.nodes - 1), label)
     rest = result.rest_length[:, span.first : span.last]
     turned = "start" in winches
     if turned:
@@ -144,8 +145,8 @@ def tension_map(result: Result, rope: int) -> Map:
         at = np.searchsorted(np.cumsum(rest[frame]), middle[here], side="right")
         for layer, values in zip(out, layers, strict=True):
             layer[frame, here] = values[frame, at]
-    origin = "arc length from end" if turned else "arc length"
-    return Map(out[0], out[1], out[2], length, origin)
+    label = "arc length from end [m]" if turned else "arc length [m]"
+    return Map(out[0], out[1], out[2], length, label)
 
 
 def farthest(found: Map) -> Floats:
@@ -260,7 +261,7 @@ def _draw_profiles(
             number += 1
     axes.set_ylim(*limits(curves))
     axes.set_xlim(0.0, max(found.length for found in maps))
-    axes.set_xlabel(f"{maps[0].origin} [m]")
+    axes.set_xlabel(" or ".join(dict.fromkeys(found.label for found in maps)))
     axes.legend(ncols=min(number + 1, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
 
 
@@ -292,8 +293,8 @@ def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> str
     spans = _broke(result, past, shown)
     span = max(spans, key=lambda one: float(jump[:, one.first : one.last].max()))
     rope = result.rope(span.name)
-    live, lengths = rope.live[last], rope.rest_length[last]
-    arc = (np.cumsum(lengths) - 0.5 * lengths if lengths.any() else np.arange(len(live)))[live]
+    live = rope.live[last]
+    arc = segment_arcs(result, last, span.name)[live]
     curves = [rope.tension[last][live], *after[:, span.first : span.last][:, live]]
     times = [result.time[last], *past.time[past.shapes]]
     for number, (time, curve) in enumerate(zip(times, curves, strict=True)):
@@ -303,6 +304,6 @@ def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> str
         axes.plot(arc, curve, label=f"{time:.6g} s{' (broken)' if number else ''}", **broken)  # type: ignore[arg-type]
     axes.set_xlim(float(arc[0]), float(arc[-1]) if arc[-1] > arc[0] else float(arc[0]) + 1.0)
     axes.set_ylim(*limits(curves))
-    axes.set_xlabel("unstretched arc length [m]")
+    axes.set_xlabel(arc_label(result, [span.name]))
     axes.legend(ncols=3, fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
     return f" of {escape(span.name)}" if len(result.layout.ropes) > 1 else ""

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ropewalk.words.counts import counted
+
 _NAMED = 3  # ends that are told of one by one
 
 
@@ -37,7 +39,8 @@ def in_words(ends: tuple[End, ...], ropes: int) -> str:
         return ""
     told = [end.why for end in ends[:_NAMED]]
     if len(ends) > _NAMED:
-        told.append(f"{sum(len(end.ropes) for end in ends[_NAMED:])} more ropes broke after that.")
+        more = counted(sum(len(end.ropes) for end in ends[_NAMED:]), "more rope")
+        told.append(f"{more} broke after that.")
     left = ropes - sum(len(end.ropes) for end in ends)
     if left > 0:
         whole = "the other rope" if left == 1 else f"the other {left} ropes"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ropewalk.scene import Material
 from ropewalk.scene.guess import load_doubt, worst_of
+from ropewalk.words.percents import percent
 
 
 def force(newtons: float) -> str:
@@ -20,7 +21,7 @@ def margins(tension: float, material: Material) -> list[str]:
     if breaking_load is None:
         return []
     share = tension / breaking_load
-    text = f"utilisation {100.0 * share:.3g} % of the breaking load of {force(breaking_load)}"
+    text = f"utilisation {percent(100.0 * share, 3)} of the breaking load of {force(breaking_load)}"
     if tension > 0.0:
         text += f", safety factor {breaking_load / tension:.3g}"
     if share > 1.0:
@@ -35,6 +36,6 @@ def most_used(tension: float, material: Material) -> str:
         return ""
     share = tension / material.breaking_load
     worst = worst_of(material, share)
-    text = f", utilisation up to {100.0 * share:.3g} %"
-    least = f", with the least of the guessed breaking load {100.0 * worst:.3g} %"
+    text = f", utilisation up to {percent(100.0 * share, 3)}"
+    least = f", with the least of the guessed breaking load {percent(100.0 * worst, 3)}"
     return text + (least if worst > share else "")

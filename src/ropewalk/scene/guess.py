@@ -11,6 +11,7 @@ from ropewalk.library.entry import UNITS
 from ropewalk.scene.base import Model, Number, refuse
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.limits import HUGE
+from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 
 Guessable = Literal[
@@ -85,5 +86,5 @@ def load_doubt(made_of: Any, utilisation: float) -> str:
     if mark is None or math.isnan(utilisation):
         return ""
     share = worst_of(made_of, utilisation)
-    text = f"the breaking load is a guess, {mark.span}: with the least of it {100.0 * share:.3g} %"
+    text = f"the breaking load is a guess, {mark.span}: with the least of it {percent(100.0 * share, 3)}"
     return text + (f", safety factor {1.0 / share:.3g}" if share > 0.0 else "")

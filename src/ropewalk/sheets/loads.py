@@ -16,6 +16,7 @@ from ropewalk.record.tension_notes import anchor_note, tension_note
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.statics.wraps import MANY
+from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
@@ -262,7 +263,7 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
         return "not known", ""
     whose = f", rope {near.name!r}" if len(result.scene.ropes) > 1 else ""
     factor = f"{1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else ""
-    return f"{100.0 * near.utilisation:.3g} %{whose}", factor
+    return f"{percent(100.0 * near.utilisation, 3)}{whose}", factor
 
 
 def _utilisation(result: Result, then: str) -> list[Item]:
@@ -274,7 +275,7 @@ def _utilisation(result: Result, then: str) -> list[Item]:
     if result.status == "at rest":
         place = place.partition(",")[0]
     factor = f"safety factor {1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else "unloaded"
-    text = f"Largest utilisation of the breaking load: {share:.3g} % ({factor}), {place}."
+    text = f"Largest utilisation of the breaking load: {percent(share, 3)} ({factor}), {place}."
     doubt = doubt_words(result.scene, near, then)
     text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""
     if near.utilisation <= 1.0:

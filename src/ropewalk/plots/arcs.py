@@ -1,0 +1,46 @@
+"""Where things lie along their ropes: by unstretched arc length, or by segments where these have none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.plots.sight import Floats
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+IN_SEGMENTS = "along the rope [segments]"
+
+
+def has_length(result: Result, rope: str) -> bool:
+    """Tell whether a rope has an unstretched length; springs may have none."""
+    return result.scene.rope_named(rope).segment_length > 0.0
+
+
+def node_arcs(result: Result, frame: int, rope: str) -> Floats:
+    """Return where the nodes of a rope lie along it at a frame, (n,): arc length [m], or segments [1].
+
+    What a winch has paid out counts where it is at that frame.
+    """
+    view = result.rope(rope)
+    count = view.live.shape[1]
+    lengths = view.rest_length[frame] if has_length(result, rope) else np.ones(count)
+    found: Floats = np.concatenate([[0.0], np.cumsum(lengths)])
+    return found
+
+
+def segment_arcs(result: Result, frame: int, rope: str) -> Floats:
+    """Return where the middles of the segments of a rope lie along it, (s,), as `node_arcs`."""
+    arcs = node_arcs(result, frame, rope)
+    return 0.5 * (arcs[:-1] + arcs[1:])
+
+
+def arc_label(result: Result, ropes: Iterable[str]) -> str:
+    """Return what an axis along these ropes is called."""
+    kinds = {has_length(result, rope) for rope in ropes}
+    if len(kinds) > 1:
+        return "along the rope [m or segments]"
+    return "unstretched arc length [m]" if kinds == {True} else IN_SEGMENTS
