@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -13,6 +14,7 @@ from ropewalk.analysis.cost import seconds_per_step
 from ropewalk.analysis.knot_notes import knot_warnings
 from ropewalk.api import preset
 from ropewalk.lowering import build
+from ropewalk.rigging import line
 from ropewalk.scene import (
     Anchor,
     Contact,
@@ -24,9 +26,13 @@ from ropewalk.scene import (
     RunSettings,
     Scene,
     Slack,
+    Springs,
     Straight,
     loads,
 )
+from ropewalk.sheets.content import Text
+from ropewalk.sheets.ropes import rope_section
+from ropewalk.sheets.trust import PARTED, Variant, _partings
 from ropewalk.simulation import Simulation
 
 
@@ -94,6 +100,26 @@ def test_slack_short_and_unheld() -> None:
     assert "carry no tension" in warnings(**loose)
     assert "nothing holds it; it falls" in warnings(anchors=())
     assert "nothing holds" not in warnings()
+
+
+def test_one_of_a_kind_is_told_as_one() -> None:
+    """It read "1 of 19 segments carry", "1 warnings", "at 1 places" and "1 more ropes are"."""
+    links = Springs(spring_constant=1e3, node_mass=0.01, segment_length=0.05, tension_only=True)
+    drawn = Straight(start=(0, 0, 0), end=(0.01, 0.0, 0.0))
+    loose = Rope(segments=19, made_of=links, shape=drawn)
+    found = check(Scene(ropes=[loose], anchors=[Anchor(node=0), Anchor(node=-1)]), measure=False)
+    assert "rope 'rope': 1 of 19 segments carries no tension at rest" in found.warnings
+    assert repr(replace(found, warnings=found.warnings[:1])).endswith("; 1 warning.")
+    assert repr(replace(found, warnings=found.warnings[:1] * 2)).endswith("; 2 warnings.")
+    wire = Material(EA=1e6, mass_per_length=0.5)
+    assert "rolling free, at 1 place\n" in str(line(20.0, 0.0, wire, sag=1.0).rolling(9, places=1))
+    (told,) = _partings(0, [Variant("half the step", {PARTED: 1.0})])
+    assert isinstance(told, Text)
+    assert told.words == "With half the step ropes part at 1 place, in this sheet at 0."
+    many = [loose.replace(name=f"rope-{k}", segments=k + 1) for k in range(7)]
+    said = rope_section(Scene(ropes=many)).items[-1]
+    assert isinstance(said, Text)
+    assert said.words == "1 more rope is in the scene at the end of this sheet."
 
 
 def test_ground_above_the_rest_shape() -> None:

@@ -20,12 +20,23 @@ from ropewalk.words.prefixes import prefix_of, prefixed
         (0.02, "0.02 N"),
         (0.0, "0 N"),
         (2.5e7, "25 MN"),
+        (9999.7, "10 kN"),  # it was 1e+04 N
+        (999960.0, "1000 kN"),
+        (1e13, "1e+04 GN"),
         (math.inf, "inf N"),
         (math.nan, "nan N"),
     ],
 )
 def test_a_number_with_its_prefix(value: float, text: str) -> None:
     assert prefixed(value, "N") == text
+
+
+@pytest.mark.parametrize(
+    ("value", "figures", "text"),
+    [(1234.0, 3, "1.23 kJ"), (-1234.0, 2, "-1.2 kJ"), (999.6, 3, "1 kJ"), (123.0, 3, "123 J")],
+)
+def test_few_figures_need_no_exponent(value: float, figures: int, text: str) -> None:
+    assert prefixed(value, "J", figures) == text
 
 
 @pytest.mark.parametrize("largest", [1e-30, 3e-7, 0.5, 1.0, 9e3, 1e4, 7e11, 1e30])

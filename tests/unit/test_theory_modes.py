@@ -93,6 +93,10 @@ def test_hanging_rope() -> None:
     ):
         ends = hanging_frequencies(1.0, 9.81, 2, end_mass=mass)
         np.testing.assert_allclose(ends, [low, high], rtol=1e-8)
+    # So heavy that neighbours are pi / (2 sqrt(1 + M) - 2 sqrt(M)) apart: it took minutes.
+    heavy = hanging_frequencies(1.0, 9.81, 3, 1e8)
+    np.testing.assert_allclose(np.diff(heavy), np.pi * np.sqrt(9.81) * 1e4, rtol=1e-3)
+    assert hanging_frequencies(1.0, 9.81, 0, 1.0).size == 0
     # A heavy load makes it a pendulum, a light one leaves the bare rope.
     assert hanging_frequencies(2.0, 9.81, 1, 1e5)[0] == pytest.approx(np.sqrt(9.81 / 2), rel=1e-5)
     bare, light = hanging_frequencies(2.0, 9.81, 4), hanging_frequencies(2.0, 9.81, 4, 1e-9)
@@ -136,5 +140,7 @@ def test_impossible_numbers_are_refused() -> None:
         string_frequencies(1.0, 0.0, 1.0)
     with pytest.raises(ValueError, match="end_mass: -1"):
         hanging_frequencies(1.0, end_mass=-1.0)
+    with pytest.raises(ValueError, match="horizontal: 0"):
+        cable_parameter(20.0, 20.0, 0.0, 0.5, 1e4)
     with pytest.raises(ValueError, match="masses: 0"):
         rigid_chain_frequencies(0, 1.0)

@@ -183,8 +183,8 @@ class Check:
         return cells.paragraph(repr(self)) + shown + said
 
     def __repr__(self) -> str:
-        count = len(self.warnings)
-        return f"Check of {self.name!r}: {self.stability.verdict}; {count} warnings."
+        told = counted(len(self.warnings), "warning")
+        return f"Check of {self.name!r}: {self.stability.verdict}; {told}."
 
 
 def check(source: Scene | Model, *, measure: bool = True) -> Check:
@@ -246,13 +246,13 @@ def _warnings(
     for rope in ropes:
         if rope.short:
             warnings.append(
-                f"rope {rope.name!r}: {rope.short} of {rope.segments} segments start shorter than "
-                "their rest length"
+                f"rope {rope.name!r}: {rope.short} of {rope.segments} segments "
+                f"{'starts' if rope.short == 1 else 'start'} shorter than their rest length"
             )
         if rope.slack and not may_say_nothing(model):
             warnings.append(
-                f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments carry no tension "
-                "at rest"
+                f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments "
+                f"{'carries' if rope.slack == 1 else 'carry'} no tension at rest"
             )
     warnings += unheld_warnings(model, statics)
     warnings += parting_warnings(model.scene, ropes)

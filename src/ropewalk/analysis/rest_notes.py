@@ -8,6 +8,7 @@ from ropewalk.lowering import Model
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.statics import Statics
 from ropewalk.statics.wraps import MANY
+from ropewalk.words.counts import counted
 
 _ROUNDING = 1e-9
 _NAMED = 3  # ropes that one sentence names
@@ -55,9 +56,9 @@ def limiter_warnings(model: Model, statics: Statics) -> list[str]:
     if over == 0 or limiter.longest <= 1.0:
         return []
     return [
-        f"the stretch limiter (at most {limiter.longest:g}) acts even at rest, on {over} segments: "
-        f"the springs alone would stretch to {stretch.max():.3g}; the limiter, not the spring "
-        "constant, carries the rope"
+        f"the stretch limiter (at most {limiter.longest:g}) acts even at rest, on "
+        f"{counted(over, 'segment')}: the springs alone would stretch to {stretch.max():.3g}; the "
+        "limiter, not the spring constant, carries the rope"
     ]
 
 

@@ -146,7 +146,7 @@ def _end(line: Line, load: float, wanted: float) -> float:
 
 
 def _along(line: Line, load: float, x: float) -> tuple[float, float] | None:
-    """Return the unstretched length left of a load at x [m], and the force towards the line's start that
+    """Return the unstretched length left of a load at x [m], and the force towards the line's end that
     holds it there [N], negative left of the lowest place; None where no rest is found.
     """
     try:

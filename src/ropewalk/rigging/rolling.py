@@ -23,6 +23,7 @@ from ropewalk.rigging.slips import load_slip, strain_slip
 from ropewalk.rigging.words import force, margins
 from ropewalk.theory import Cable, elastic_catenary
 from ropewalk.theory.cable import Floats
+from ropewalk.words.counts import counted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -102,7 +103,7 @@ class Rolling:
         how = "held by the rope" if self.held else "rolling free"
         largest = float(self.largest_tension[worst])
         text = [
-            f"a load of {self.mass:.4g} kg, {how}, at {self.place.size} places",
+            f"a load of {self.mass:.4g} kg, {how}, at {counted(self.place.size, 'place')}",
             f"largest tension {force(largest)}, with the load at {self.place[worst]:.4g} m",
             f"largest sag of the load {self.sag.max():.4g} m; lowest at {self.place[low]:.4g} m, "
             f"{self.height[low]:+.4g} m to the first end",

@@ -21,6 +21,7 @@ from ropewalk.scene.spin import Spin
 from ropewalk.scene.winch import Winch
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.frictions import friction_between, friction_on
+from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
 
 _MOST = 6  # kinds of ropes that have a table, and names of ropes alike
@@ -56,7 +57,8 @@ def rope_section(scene: Scene) -> Section:
     for rows, about, names_of in kinds:
         items += [Table((_heading(names_of), ""), rows, numbers=False), *about]
     if more:
-        items.append(Text(f"{more} more ropes are in the scene at the end of this sheet."))
+        are = f"{counted(more, 'more rope')} {'is' if more == 1 else 'are'}"
+        items.append(Text(f"{are} in the scene at the end of this sheet."))
     return Section("Ropes", tuple(items))
 
 

@@ -16,6 +16,7 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.recut import recut
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.statics import NoRest, rest_spans
+from ropewalk.words.counts import counted
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 
@@ -135,7 +136,8 @@ def _partings(own: int, ran: list[Variant]) -> list[Item]:
     others = {variant.title: variant.numbers.get(PARTED, own) for variant in ran}
     return [
         Text(
-            f"With {title} ropes part at {number:.0f} places, in this sheet at {own}.", warning=True
+            f"With {title} ropes part at {counted(int(number), 'place')}, in this sheet at {own}.",
+            warning=True,
         )
         for title, number in others.items()
         if number != own

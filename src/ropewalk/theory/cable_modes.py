@@ -71,9 +71,11 @@ def hanging_frequencies(
         free_j, free_y = -j1(a) + 0.5 * a * j0(a), -y1(a) + 0.5 * a * y0(a)
         return float(j0(b) * free_y - y0(b) * free_j)
 
-    # Neighbouring zeros are about pi/(high - low) apart.
+    # The first one is that of a pendulum, about 1; then neighbours are about pi/(high - low) apart.
+    first = _roots(condition, 1e-3, 0.02, 1)
     step = 0.02 * math.pi / (high - low)
-    return scale * _roots(condition, 1e-3, min(step, 0.02), count)
+    others = _roots(condition, float(first[0]) + 1e-3, step, count - 1)
+    return scale * np.concatenate([first, others])[:count]
 
 
 def rigid_chain_frequencies(masses: int, link: float, gravity: float = 9.81) -> Floats:
@@ -103,7 +105,7 @@ def cable_parameter(
     """Return Irvine's parameter lambda^2 of a shallow cable with level ends [1].
 
     lambda^2 = (w X/H)^2 X / (H Le/EA), Le = X (1 + 8 (sag/X)^2) with sag = w X^2/8H; below about 1 the
-    cable is a taut string, above 4 pi^2 the first antisymmetric mode is the slowest one.
+    cable is a taut string, above 4 pi^2 the first antisymmetric mode is the slowest in the plane.
 
     Args:
         length: unstretched [m]; w and Le refer to the span, as in the source.
@@ -112,8 +114,12 @@ def cable_parameter(
         weight: per unstretched length [N/m].
         EA: [N].
 
+    Raises ValueError for a span or a horizontal force that is not positive.
+
     Source: Irvine and Caughey, Proc. R. Soc. Lond. A 341 (1974) 299.
     """
+    need("across", across, "m")
+    need("horizontal", horizontal, "N")
     load = weight * length / across
     sag = load * across**2 / (8.0 * horizontal)
     path = across * (1.0 + 8.0 * (sag / across) ** 2)

@@ -25,6 +25,14 @@ def prefix_of(largest: float) -> tuple[float, str]:
 
 
 def prefixed(value: float, unit: str, figures: int = 4) -> str:
-    """Return a number of so many figures with its unit: `26.77 kN`; numbers below 1 stay in the unit."""
+    """Return a number of so many figures with its unit: `26.77 kN`; numbers below 1 stay in the unit.
+
+    Where it would need an exponent it has the next prefix: 1.23 kJ for 1234 J of three figures.
+    """
     factor, prefix = prefix_of(abs(value)) if abs(value) >= 1.0 else (1.0, "")
-    return f"{value / factor:.{figures}g} {prefix}{unit}"
+    text = f"{value / factor:.{figures}g}"
+    larger = [p for p in _PREFIXES if p[0] > factor]
+    if "e+" in text and larger:
+        factor, prefix = larger[-1]
+        text = f"{value / factor:.{figures}g}"
+    return f"{text} {prefix}{unit}"
