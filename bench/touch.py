@@ -1,9 +1,10 @@
-"""Contact: what it costs, and whether what should stick sticks; the same in MuJoCo, side by side.
+"""Contact: what it costs, and whether what should stick sticks; the same in others, side by side.
 
 The capstan is a rope half round a drum, one side longer than the other, the incline a rope that lies on a
 plane. MuJoCo (extra `ropewalk[bench]`; without it its rows are left out) gets the same ropes as chains of
 capsules with ball joints, once with its default contacts and once with those its documentation advises
-against slipping. Crossing and pile: `bench.heaps`.
+against slipping. PyElastica (same extra) gets them as Cosserat rods: `bench.elastica`. Crossing and pile:
+`bench.heaps`.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from importlib.util import find_spec
 import numpy as np
 
 import ropewalk as rw
+from bench import elastica
 from bench.clock import take_turns
 from bench.implicit import Swing
 from bench.row import Row
@@ -134,6 +136,12 @@ def in_mujoco(scene: rw.Scene, options: str, step: float = 1e-3) -> tuple[float,
     return crept(np.array(places), np.array(times)), time.process_time() - begun
 
 
+def in_elastica(scene: rw.Scene) -> tuple[float, float]:
+    """Return the same of a Cosserat rod in PyElastica."""
+    found = elastica.run(scene)
+    return crept(found.places, found.times), found.seconds
+
+
 def as_mujoco(scene: rw.Scene, options: str, step: float) -> str:
     """Return the scene's rope and its one obstacle as a model."""
     rope, (body,) = scene.ropes[0], scene.obstacles
@@ -170,11 +178,13 @@ def _text(values: object) -> str:
 
 
 def sticking() -> list[Row]:
-    """How far what should hold creeps from 1 s to 5 s: capstan and incline, here and in MuJoCo."""
+    """How far what should hold creeps from 1 s to 5 s: capstan and incline, here and in others."""
     programs: dict[str, Callable[[rw.Scene], tuple[float, float]]] = {"Ropewalk": in_ropewalk}
     if find_spec("mujoco") is not None:
         for name, options in MUJOCO.items():
             programs[name] = lambda scene, options=options: in_mujoco(scene, options)  # type: ignore[misc]
+    if find_spec("elastica") is not None:
+        programs["PyElastica"] = in_elastica
     cases = {
         f"capstan at {share:g} of the limit": capstan(share) for share in (0.8, 0.95, 0.99, 1.05)
     }
