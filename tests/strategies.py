@@ -290,7 +290,12 @@ def scenes(
     max_ropes: int = 2,
     max_segments: int = 8,
 ) -> Scene:
-    """A valid scene with anything in it that a scene can have and one of the methods can run."""
+    """A valid scene that one of the methods can run: ropes of springs and materials, loads, kicks, anchors
+    that move, clamps, winches, air, ground, a limiter.
+
+    Never obstacles, contact, joints, slides, forces, curves of tension, relaxation or ropes that part:
+    `verification.feature_pairs` has these; nor `ring`.
+    """
     settings = draw(run_settings(methods))
     explicit = settings.method == "auto" or not METHODS[settings.method].implicit
     rope_names = draw(st.lists(names(), min_size=1, max_size=max_ropes, unique=True))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tomllib
+from itertools import combinations
 
 import jsonschema
 import pytest
@@ -26,6 +27,7 @@ from ropewalk.scene import (
     schema,
 )
 from strategies import numbers, scenes
+from verification.feature_pairs import FEATURES, MORE, scene_of
 
 RELAXED = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 VALIDATOR = jsonschema.Draft202012Validator(schema())
@@ -37,6 +39,22 @@ def test_reading_what_was_written_gives_the_same_scene(scene: Scene) -> None:
     again = loads(dumps(scene))
     assert again == scene
     assert dumps(again) == dumps(scene)
+
+
+def test_scenes_with_any_two_features_are_read_as_written() -> None:
+    """Obstacles, contact, joints, slides and what else random scenes never have."""
+    made = 0
+    for pair in combinations(FEATURES | MORE, 2):
+        try:
+            scene = scene_of("implicit-euler", *pair, implicit=True)
+        except SceneError:
+            continue  # it is on the list of those that do not go together
+        made += 1
+        text = dumps(scene)
+        assert loads(text) == scene, pair
+        assert dumps(loads(text)) == text, pair
+        VALIDATOR.validate(tomllib.loads(text))
+    assert made > 240
 
 
 @RELAXED

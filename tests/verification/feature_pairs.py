@@ -25,6 +25,8 @@ from ropewalk.scene import (
     Shake,
     Slack,
     Slide,
+    Spin,
+    Springs,
     Straight,
     TableCurve,
     Tie,
@@ -148,6 +150,30 @@ def _slide(parts: Parts) -> None:
     parts["scene"]["slides"] = [Slide(rope="hook", at=0.62, friction=0.1, brake=0.05)]
 
 
+def _turning(parts: Parts) -> None:
+    _obstacle(parts)
+    (wall,) = parts["scene"]["obstacles"]
+    shake = Shake(axis=(0, 1, 0), amplitude=0.004, frequency=4.0)
+    parts["scene"]["obstacles"] = [wall.replace(spin=Spin(rate=3.0), motion=shake)]
+
+
+def _curvature(parts: Parts) -> None:
+    _bending(parts)
+    parts["stuff"]["curvature"] = (0.0, 0.5, 0.0)
+
+
+def _springs(parts: Parts) -> None:
+    parts["springs"] = {
+        "spring_constant": 2e4, "node_mass": 0.02, "segment_length": 0.1, "spring_friction": 2.0,
+    }  # fmt: skip
+
+
+#: Tried beside all others in one method only.
+MORE: dict[str, Callable[[Parts], None]] = {
+    "turning obstacle": _turning,
+    "curvature": _curvature,
+    "springs": _springs,
+}
 FEATURES: dict[str, Callable[[Parts], None]] = {
     "rigid links": _rigid,
     "winch": _winch,
@@ -176,18 +202,18 @@ def scene_of(method: str, *features: str, implicit: bool) -> Scene:
     """A slack rope of ten segments, held at one end, whose other end is thrown back, with these features."""
     kicks = [Kick(node=8, velocity=(-3.0, 0.5, 1.0)), Kick(node=4, velocity=(0.0, -0.5, 0.0))]
     parts: Parts = {"stuff": dict(SOFT), "rope": {"kicks": kicks}, "held": {}, "scene": {}}
-    for name in FEATURES:
+    for name, add in (FEATURES | MORE).items():
         if name in features:
-            FEATURES[name](parts)
+            add(parts)
     if parts["stuff"].get("tension_only") and "relaxing_EA" in parts["stuff"]:
         parts["stuff"]["axial_damping"] = 0.0  # is refused beside both
-    more = parts["scene"]
+    more, springs = parts["scene"], parts.get("springs")
     one = Rope(
         name="one",
         segments=10,
-        length=1.0,
+        length=None if springs else 1.0,
         diameter=0.01,
-        made_of=Material(**parts["stuff"]),
+        made_of=Springs(**springs) if springs else Material(**parts["stuff"]),
         shape=Slack(start=(0, 0, 0), end=(0.9, 0, 0)),
         **parts["rope"],
     )

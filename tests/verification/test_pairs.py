@@ -10,7 +10,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import SceneError
-from verification.feature_pairs import FEATURES, scene_of
+from verification.feature_pairs import FEATURES, MORE, scene_of
 
 #: Pairs that no method takes, with words of the refusal.
 APART = {
@@ -20,6 +20,7 @@ APART = {
 }
 #: What changes nothing beside another feature, which has it already: the second of each.
 IDLE = {"clamp": "bending", "rigid links": "limiter"}
+IDLE |= {"curvature": "bending", "turning obstacle": "obstacle"}
 EXPLICIT = tuple(name for name, method in METHODS.items() if not method.implicit)
 RINGING = ("implicit-midpoint", "generalized-alpha")
 #: What some methods do not take: features, methods, words of the refusal.
@@ -30,6 +31,13 @@ OF_METHODS = (
     (("obstacle",), RINGING, "cannot work with obstacles"),
     (("contact",), RINGING, "cannot work with ropes that touch each other"),
 )
+ONE = "implicit-euler"  # in which more features are tried
+NOT_BESIDE = {("curvature", "winch"): "curved by itself"}
+#: Features of continuous materials, which springs do not have.
+OF_MATERIALS = (
+    "rigid links", "curve", "relaxation", "bending", "clamp", "tension only", "axial friction",
+    "parting",
+)  # fmt: skip
 PAIRS = list(combinations(FEATURES, 2))
 #: Methods without a stable step where nothing damps the stiffest modes, and the pair that has no damping.
 GAINING, UNDAMPED = ("euler", "heun"), {"relaxation", "tension only"}
@@ -64,14 +72,33 @@ def test_every_pair_of_features_works_or_is_on_the_list(method: str) -> None:
             continue
         if method in GAINING and {first, second} == UNDAMPED:
             continue
-        both = end_of(method, first, second)
-        assert both.status == "finished", (first, second)
-        scale = max(float(np.abs(values).max()) for values in both.energy.values())
-        left = both.table["largest balance residual [J]"]
-        assert left < 1e-9 * scale, (first, second, left, scale)
-        for one, other in ((first, second), (second, first)):
-            idle = IDLE.get(one) == other
-            assert (moved_by(both, alone[one]) > 1e-9) != idle, (one, other)
+        look_at(end_of(method, first, second), alone, first, second)
+
+
+@pytest.mark.parametrize("feature", MORE)
+def test_more_features_work_beside_all_others(feature: str) -> None:
+    """In one method: bodies that turn and move, natural curvature, and springs, which have no field of a
+    material.
+    """
+    alone = {name: end_of(ONE, name) for name in (feature, *FEATURES)}
+    for name in FEATURES:
+        words = NOT_BESIDE.get((feature, name))
+        if words:
+            with pytest.raises(SceneError, match=words):
+                end_of(ONE, feature, name)
+        elif not (feature == "springs" and name in OF_MATERIALS):
+            look_at(end_of(ONE, feature, name), alone, feature, name)
+
+
+def look_at(both: rw.Result, alone: dict[str, rw.Result], first: str, second: str) -> None:
+    """Check a run that has two features."""
+    assert both.status == "finished", (first, second)
+    scale = max(float(np.abs(values).max()) for values in both.energy.values())
+    left = both.table["largest balance residual [J]"]
+    assert left < 1e-9 * scale, (first, second, left, scale)
+    for one, other in ((first, second), (second, first)):
+        idle = IDLE.get(one) == other
+        assert (moved_by(both, alone[one]) > 1e-9) != idle, (one, other)
 
 
 def moved_by(result: rw.Result, other: rw.Result) -> float:

@@ -1,4 +1,7 @@
-"""Tangents of all laws against central differences of their forces.
+"""Tangents of laws without a memory against central differences of their forces.
+
+Those of obstacles, contact, slides and bending: `test_touch`, `unit/test_pairs`, `test_slide`,
+`test_bending_tangent`.
 
 A central difference of a smooth force errs by h^2/6 F''' and by rounding eps F / h: with h = 1e-6 and forces
 of order 100 that is below 1e-6 of the largest entry.
