@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+import runs
 from ropewalk.analysis.diagnosis import Diagnosis, diagnose, explain, retrace
 from ropewalk.analysis.stability import stability
 from ropewalk.core.status import OK
@@ -68,6 +69,25 @@ def test_euler_is_told_to_change_the_method() -> None:
     found = broken(scene(10000.0, 0.001, method="euler"))
     assert "method = semi-implicit-euler" in str(found)
     assert found.energy_growth > 1.0
+
+
+def test_what_a_winch_has_paid_out_is_looked_at() -> None:
+    """A zigzag of segments that were on the drum at the start was no sign."""
+    model = build(runs.winched(speed=1.0))
+    (span, _), x = model.layout.ropes, model.state.x.T.copy()
+    paid = 6  # nodes that have come off the drum, all below it
+    x[span.first : span.last + 1, 2] = -0.5 * np.maximum(
+        np.arange(span.nodes) - (span.spare_start - paid), 0
+    )
+    steps = np.repeat(x[None], 12, axis=0)
+    shaken = slice(span.start - paid + 1, span.start)
+    pattern = (-1.0) ** np.arange(paid - 1)
+    for i in range(12):
+        steps[i, shaken, 2] += 1e-9 * (-2.0) ** i * pattern
+    found = diagnose(stability(model), model.layout, steps, 0.1, 6)
+    assert found.zigzag < -0.5
+    assert found.rope == "line"
+    assert -paid < found.node < 0
 
 
 def history(pattern: np.ndarray, growth: float, steps: int = 12) -> np.ndarray:

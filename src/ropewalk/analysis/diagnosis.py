@@ -89,7 +89,7 @@ def diagnose(
         parted: segments that are no more, (s,); see `parted_segments`.
     """
     segments, lengths = _while_finite(positions)
-    alive = _alive(layout)
+    alive = _alive(layout, lengths)
     if parted is not None:
         alive &= ~parted
     changes = np.where(alive, np.diff(lengths, axis=0), 0.0)
@@ -208,11 +208,12 @@ def _skip(simulation: Simulation, frames: int) -> None:
         frames -= block.frames
 
 
-def _alive(layout: Layout) -> NDArray[np.bool_]:
+def _alive(layout: Layout, lengths: Floats) -> NDArray[np.bool_]:
+    """Return in which segments there is rope at any time; on a drum all nodes lie at one place."""
     alive = np.zeros(layout.segments, dtype=bool)
     for span in layout.ropes:
-        alive[span.start : span.end] = True
-    return alive
+        alive[span.first : span.last] = True
+    return alive & lengths.any(axis=0) if len(lengths) else alive
 
 
 def _correlation(a: Floats, b: Floats) -> float:

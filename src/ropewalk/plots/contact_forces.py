@@ -65,14 +65,17 @@ def coils(result: Result, frame: int) -> list[Coil]:
     found = []
     for _, contacts in each_frame(result, [frame]):
         for span in result.layout.ropes:
-            own = (contacts.node >= span.start) & (contacts.node <= span.end)
-            pull = result.tension[frame][span.start : span.end]
+            own = (contacts.node >= span.first) & (contacts.node <= span.last)
+            pull = result.tension[frame][span.first : span.last]
+            there = np.flatnonzero(result.rope(span.name).live[frame])  # on no drum
+            if not there.size:
+                continue
             for o, body in enumerate(result.scene.obstacles):
                 if body.kind not in _BARS:
                     continue
                 for rows in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
-                    nodes = contacts.node[rows] - span.start
-                    first, last = max(int(nodes[0]), 1), min(int(nodes[-1]), len(pull) - 1)
+                    nodes = contacts.node[rows] - span.first
+                    first, last = max(int(nodes[0]), there[0] + 1), min(int(nodes[-1]), there[-1])
                     if last - first + 1 < _FEWEST:
                         continue
                     bend = np.zeros(len(pull) + 1)
@@ -80,7 +83,8 @@ def coils(result: Result, frame: int) -> list[Coil]:
                     turned = np.concatenate([[0.0], np.cumsum(bend[first : last + 1])])
                     along = pull[first - 1 : last + 1]
                     mu = body.friction_with(result.scene.rope_named(span.name))
-                    found.append(Coil(span.name, body.name, mu, first, turned, along))
+                    number = int(first) - span.spare_start
+                    found.append(Coil(span.name, body.name, mu, number, turned, along))
     ropes = [span.name for span in result.layout.ropes]
     return sorted(found, key=lambda coil: (ropes.index(coil.rope), coil.first))
 

@@ -49,7 +49,9 @@ def sticking(result: Result) -> Figure:
     figure = new_figure(7.2, min(1.5 + max(1.2, 2.9 - 0.5 * len(spans)) * len(spans), 9.0))
     grid = figure.subplots(len(spans), 1, squeeze=False, sharex=True)[:, 0]
     for axes, span in zip(grid, spans, strict=True):
-        _draw(axes, result.time[:good], modes[:, span.start : span.end + 1])
+        ever = np.flatnonzero(result.rope(span.name).live[:good].any(axis=0))  # off a drum
+        first, last = span.first + int(ever[0]), span.first + int(ever[-1]) + 1
+        _draw(axes, result.time[:good], modes[:, first : last + 1], first - span.start)
         axes.set_ylabel("node")
         axes.yaxis.set_major_locator(MaxNLocator(5, integer=True))
         if len(result.layout.ropes) > 1:
@@ -64,7 +66,8 @@ def sticking(result: Result) -> Figure:
     return figure
 
 
-def _draw(axes: Axes, time: NDArray[np.float64], modes: NDArray[np.int8]) -> None:
+def _draw(axes: Axes, time: NDArray[np.float64], modes: NDArray[np.int8], first: int) -> None:
+    """Draw what nodes from number `first` on do, (frames, nodes)."""
     step = -(-len(modes) // _PIXELS)
     starts = np.arange(0, len(modes), step)
     ranks = np.maximum.reduceat(RANK[modes], starts, axis=0)  # what is rare stays to be seen
@@ -74,7 +77,12 @@ def _draw(axes: Axes, time: NDArray[np.float64], modes: NDArray[np.int8]) -> Non
         np.argsort(RANK)[ranks].T,
         origin="lower",
         aspect="auto",
-        extent=(float(time[0]) - half, float(time[-1]) + half, -0.5, modes.shape[1] - 0.5),
+        extent=(
+            float(time[0]) - half,
+            float(time[-1]) + half,
+            first - 0.5,
+            first + modes.shape[1] - 0.5,
+        ),
         interpolation="nearest",
         cmap=ListedColormap([_LOOKS[mode] for mode in range(len(MODES))]),
         norm=BoundaryNorm(np.arange(len(MODES) + 1) - 0.5, len(MODES)),

@@ -14,7 +14,7 @@ from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Model, Span, build
 from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, stretches
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
-from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS
+from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS, has_rope
 from ropewalk.record.rope_contact_table import modes_on_ropes
 
 if TYPE_CHECKING:
@@ -30,14 +30,19 @@ class WrapHistory(NamedTuple):
 
     A rope may leave it and come back: the angle is that of all stretches on it, what the rope turns by
     between them left out, and the tensions are those before the first and after the last of them. The table
-    ``wraps`` has each stretch on its own.
+    ``wraps`` has each stretch on its own. What a winch pays out has numbers below 0, or beyond the last.
     """
 
     time: Floats  # (frames,) [s]
-    nodes: Ints  # (frames, 2) first and last node of the rope that touch; -1: none
+    nodes: Ints  # (frames, 2) first and last node of the rope that touch; 0 and -1, the last first: none
     angle: Floats  # (frames,) by which the rope turns there towards the obstacle [rad]
     before: Floats  # (frames,) tension of the segment before the first of them [N]
     after: Floats  # (frames,) ... after the last one [N]
+
+    @property
+    def touches(self) -> NDArray[np.bool_]:
+        """Whether the rope touches the obstacle, (frames,)."""
+        return self.nodes[:, 0] <= self.nodes[:, 1]
 
     @property
     def ratio(self) -> Floats:
@@ -89,11 +94,11 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
         )
     o, span = names.index(obstacle), result.layout.span(rope)
     count = result.frames
-    nodes = np.full((count, 2), -1, np.int64)
+    nodes = np.tile(np.array([0, -1], np.int64), (count, 1))
     angle, before, after = np.zeros((3, count))
     tension = result.tension
     for frame, contacts in each_frame(result, range(count), [o]):
-        own = (contacts.node >= span.start) & (contacts.node <= span.end)
+        own = (contacts.node >= span.first) & (contacts.node <= span.last)
         touching = np.flatnonzero(own & (contacts.obstacle == o))
         if not touching.size:
             continue
@@ -108,8 +113,8 @@ def _lies(
     """Return first and last node of rows of contacts, the angle there, the tensions before and after."""
     first, last = int(contacts.node[rows].min()), int(contacts.node[rows].max())
     angle = float(contacts.turn[rows].sum())
-    before = float(tension[first - 1]) if first > span.start else 0.0
-    after = float(tension[last]) if last < span.end else 0.0
+    before = float(tension[first - 1]) if first > span.first else 0.0
+    after = float(tension[last]) if last < span.last else 0.0
     return first - span.start, last - span.start, angle, before, after
 
 
@@ -123,7 +128,8 @@ def each_frame(
     if "contact_force" not in result.source.names:
         return
     model = model_of(result)
-    table, stiffness = model.system.node.obstacle, model.state.stiffness
+    table, rest = model.system.node.obstacle, result.rest_length
+    lengths = [rope.segment_length for rope in result.scene.ropes]
     apart = OBSTACLE_FORCE in result.source.names
     force = result.obstacle_force if apart else result.contact_force
     x, v = result.positions, result.velocities
@@ -133,7 +139,9 @@ def each_frame(
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
             then = table if turning is None else at_rates(table, turning[frame], t)
-            contacts = contacts_at(then, now[0], now[1], now[2], stiffness, t, only)
+            # neither on a drum nor parted
+            there = has_rope(result.layout, rest[frame : frame + 1], lengths)[0]
+            contacts = contacts_at(then, now[0], now[1], now[2], there.astype(float), t, only)
             yield frame, contacts if apart else _told(model, now[0], contacts)
 
 
@@ -208,7 +216,7 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
     for frame, contacts in each_frame(result, frames):
         power = (contacts.rub * contacts.slip).sum(axis=1)
         for span in result.layout.ropes:
-            own = (contacts.node >= span.start) & (contacts.node <= span.end)
+            own = (contacts.node >= span.first) & (contacts.node <= span.last)
             for o in np.unique(contacts.obstacle[own]):
                 body = result.scene.obstacles[o]
                 mu = body.friction_with(result.scene.rope_named(span.name))
