@@ -188,7 +188,7 @@ def pulled(
     ends = [rw.Anchor(name="a", rope="one", node=0)]
     ends += [rw.Anchor(name="b", rope="one", node=-1, motion=pull)]
     step = "auto" if method == "adaptive" else 5e-5
-    run = rw.RunSettings(method=method, time_step=step, duration=0.03, frame_rate=100.0)
+    run = rw.RunSettings(method=method, time_step=step, duration=0.12, frame_rate=100.0)
     return rw.Scene(ropes=[rope], anchors=ends, gravity=(0, 0, 0), run=run)
 
 
@@ -315,6 +315,36 @@ def test_a_winch_stops_where_its_rope_has_parted(more: dict[str, float]) -> None
     after = result.time > parting.time
     assert np.ptp(result.rest_length[after].sum(axis=1)) == 0.0
     assert np.ptp(result.rest_length[~after].sum(axis=1)) > 0.0
+
+
+@pytest.mark.parametrize("drums", [1, 2])
+@pytest.mark.parametrize("speed", [0.0, -0.05, 0.05])
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "esdirk3"])
+def test_what_is_all_that_is_left_off_a_drum_parts(method: str, speed: float, drums: int) -> None:
+    """A rope of one segment between a drum and its end, or another drum, though a drum winds it."""
+    made_of = rw.Material(
+        EA=1e4, mass_per_length=0.1, axial_damping=2.0, breaking_load=100.0, parts=True
+    )
+    shape = Straight(start=(0, 0, 0), end=(0, 0, -2.0))
+    flung = {"loads": [{"node": -1, "mass": 20.0}]} if drums == 1 else {}
+    turns = {"speed": speed or -1.0, "start": 0.0 if speed else 1.0}
+    apart = rw.Anchor(node=-1, motion={"kind": "velocity", "velocity": (0, 0, -0.4)})
+    scene = rw.Scene(
+        ropes=[rw.Rope(segments=1, length=1.99, made_of=made_of, shape=shape, **flung)],
+        anchors=[rw.Anchor(node=0), apart][:drums],
+        winches=[rw.Winch(end=end, **turns) for end in ("start", "end")[:drums]],
+        run=rw.RunSettings(method=method, time_step=1e-3, duration=0.12, frame_rate=100.0),
+    )
+    result = rw.simulate(scene)
+    (parting,) = result.partings
+    assert 100.0 < parting.tension < 130.0
+    after = result.time > parting.time
+    assert after.any()
+    assert not result.tension[after].any()
+    assert np.isfinite(result.positions[after]).all()
+    assert -result.work["parting"][-1] == pytest.approx(
+        0.5 * parting.tension**2 * 1.99 / 1e4, rel=0.05
+    )
 
 
 @pytest.mark.parametrize(

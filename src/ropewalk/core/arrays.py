@@ -31,6 +31,7 @@ class Limiter(NamedTuple):
     passes: int
     order: Ints  # (s',) segments from the anchors outward
     share: Floats  # (s',) part of the correction given to node j (the rest goes to node j + 1)
+    anchor: Ints  # (s') row of the anchor that the share goes by, -1: none
     joint: Ints  # (2, s') the joints of these two nodes, -1: none
 
 

@@ -82,7 +82,7 @@ def book_growth(system, state, friction, dt, lo=0, hi=ALL):
     x, L = state.x, state.rest_length
     for row in range(state.winch_exit.shape[0]):
         j = working_segment(system.winches, state.winch_exit, row)
-        if lo <= j + 1 < hi:
+        if lo <= j + 1 < hi and L[j] > 0.0:  # not parted
             pull = 0.0
             for k in range(3):
                 pull += friction[k, j + 1] * (x[k, j + 1] - x[k, j])

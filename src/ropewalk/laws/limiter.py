@@ -7,7 +7,7 @@ segments, all solved for together,
     (w_j + w_i) p_j - w_i (t_j . t_i) p_i - w_j (t_j . t_h) p_h = (v_i - v_j) . t_j,   i = j + 1, h = j - 1
 with w = 1 / m, t the unit vectors: a projection in the metric of the masses, which conserves momentum and
 never adds kinetic energy (Moreau 1988, inelastic impact). What a held
-node would take of it is a reaction of its anchor.
+node would take of it is a reaction of its anchor. Where a drum winds, bounds move (`drawn_bounds`).
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ import math
 from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import TAKEN
 from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.drawn_bounds import begin_rates, give_to_drums
 from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.fresh import working_segment
 from ropewalk.laws.joints import tied_to
 from ropewalk.laws.ledger import gravity_energy, kinetic_energy
-from ropewalk.laws.rare import are_tied, has_bending
+from ropewalk.laws.rare import are_tied, has_bending, winds
 from ropewalk.laws.tied_limiter import (
     IMPULSE,
     MOTION,
@@ -58,6 +59,8 @@ def limit_stretch(system, state, work, dt, ledger):
     kinetic = (
         kinetic_energy(state.v, state.mass) - kinetic - give_to_anchors(system, state, work, dt)
     )
+    if winds(system, state):
+        kinetic -= give_to_drums(system, state, work[6], work[5])
     potential = _potential(system, state) - potential
     state.balance[TAKEN] -= kinetic + potential
     if ledger:
@@ -100,9 +103,6 @@ def sweep(system, state):
     """Correct the length of every segment once, in the order of the table; what is tied moves along."""
     limiter, joints = system.limiter, system.joints
     x = state.x
-    held = 0
-    for row in range(state.held.shape[0]):
-        held += state.held[row]
     for row in range(limiter.order.shape[0]):
         j = limiter.order[row]
         first, second = state.inverse_mass[j], state.inverse_mass[j + 1]
@@ -112,8 +112,9 @@ def sweep(system, state):
         both = first + second
         if both == 0.0:
             continue
-        share = limiter.share[row]
-        if held == 0 or share == 0.5 or both in (first, second):
+        share, anchor = limiter.share[row], limiter.anchor[row]
+        free = anchor < 0 or state.held[anchor] == 0  # what it was near to has let go
+        if free or share == 0.5 or both in (first, second):
             share = first / both
         dx = x[0, j + 1] - x[0, j]
         dy = x[1, j + 1] - x[1, j]
@@ -175,9 +176,9 @@ def stop_segments(system, state, work):
 def _solve_for_impulses(system, state, work):
     """Write the impulses of the segments at a bound."""
     if are_tied(system):
-        solve_tied(system.joints, state, work)
+        solve_tied(system, state, work)
     else:
-        _solve(state, work)
+        _solve(system, state, work)
 
 
 @kernel
@@ -204,12 +205,13 @@ def _find_bound(limiter, state, work, j):
 
 
 @kernel
-def _solve(state, work):
+def _solve(system, state, work):
     """Solve the equations of the segments at a bound (Thomas); the others get no impulse."""
     segments = state.rest_length.shape[0]
     v, weights = state.v, state.inverse_mass
+    begin_rates(system, state, work[6], work[5])
     for j in range(segments):
-        work[3, j], work[4, j], work[5, j] = 1.0, 0.0, 0.0
+        work[3, j], work[4, j] = 1.0, 0.0
         if work[6, j] != 0.0:
             work[3, j] = weights[j] + weights[j + 1]
             for k in range(3):

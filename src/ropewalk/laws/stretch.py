@@ -138,6 +138,8 @@ def growth_friction(x, state, winches, friction):
     for row in range(state.winch_exit.shape[0]):
         drum = state.winch_exit[row]
         j = drum if winches.step[row] > 0 else drum - 1
+        if state.rest_length[j] == 0.0:  # it has parted
+            continue
         c = state.damping_vector[j] + state.damping_axial[j]
         growth = c * state.winch_rate[row] / state.rest_length[j]
         for k in range(3):

@@ -146,6 +146,8 @@ def growth_tangent(state, winches, weight_x, rubs, band):
     for row in range(state.winch_exit.shape[0]):
         drum = state.winch_exit[row]
         j = drum if winches.step[row] > 0 else drum - 1
+        if state.rest_length[j] == 0.0:  # it has parted
+            continue
         c = (state.damping_vector[j] + state.damping_axial[j]) * rubs[j]
         q = -weight_x * c * state.winch_rate[row] / state.rest_length[j]
         add_line(band, j, 0.0, 0.0, 0.0, q, q)

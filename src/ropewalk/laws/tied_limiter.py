@@ -11,6 +11,7 @@ Source: Hestenes & Stiefel 1952, J. Res. Natl. Bur. Stand. 49:409.
 from __future__ import annotations
 
 from ropewalk.core.jit import deferred, kernel, small
+from ropewalk.laws.drawn_bounds import begin_rates
 from ropewalk.laws.joints import follow, share_motion
 
 # Rows of `work` besides those of `limiter`: residual, search direction, its product; motion of the nodes.
@@ -20,11 +21,12 @@ MORE = 20  # iterations beyond as many as there are segments at bounds
 
 
 @deferred()
-def solve_tied(joints, state, work):
+def solve_tied(system, state, work):
     """Write the impulses [N s] that stop the segments at a bound, row 5 of `work`; the others get none."""
-    v, count, left = state.v, 0, 0.0
+    joints, v, count, left = system.joints, state.v, 0, 0.0
+    begin_rates(system, state, work[BOUND], work[LEFT])
     for j in range(state.rest_length.shape[0]):
-        work[IMPULSE, j], rate = 0.0, 0.0
+        work[IMPULSE, j], rate = 0.0, work[LEFT, j]
         if work[BOUND, j] != 0.0:
             count += 1
             for k in range(3):

@@ -320,9 +320,8 @@ def _break_stretch(
 
 def _limiter(limiter: LimiterInScene | None, order: Order | None) -> Limiter:
     if limiter is None or order is None:
-        return Limiter(
-            0, 0.0, math.inf, 0, np.zeros(0, np.int64), np.zeros(0), np.zeros((2, 0), np.int64)
-        )
+        none = np.zeros(0, np.int64)
+        return Limiter(0, 0.0, math.inf, 0, none, np.zeros(0), none, np.zeros((2, 0), np.int64))
     return Limiter(1, limiter.min_stretch, limiter.max_stretch, limiter.passes, *order)
 
 

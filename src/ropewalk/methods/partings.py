@@ -15,6 +15,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import part_couplings
 from ropewalk.laws.elastic import stored_energy
+from ropewalk.laws.fresh import working_segment
 from ropewalk.laws.rare import has_bending, winds
 from ropewalk.methods.recording import carried_tension, record_elastic
 
@@ -32,7 +33,7 @@ def part_ropes(system, state, pull, sums, t):
     record_elastic(system, state, sums, over)
     carried_tension(system, state, over, carried)
     if winds(system, state):
-        spare_drums(system.winches.step, state.winch_exit, carried)
+        spare_drums(system.winches, state.winch_exit, carried)
     count, j, begin = 0, 0, 0
     passing = table.passing
     if find_overloaded(table.strength, table.rope, passing, parted.time, carried, t, over) > 0:
@@ -45,11 +46,18 @@ def part_ropes(system, state, pull, sums, t):
 
 
 @kernel
-def spare_drums(step, exits, carried):
-    """Leave out the segments next to drums, whose lengths are the winches': the next ones part."""
+def spare_drums(winches, exits, carried):
+    """Leave out the segments next to drums, whose lengths are the winches': the next ones part, where any are."""
     for row in range(exits.shape[0]):
-        working = exits[row] if step[row] > 0 else exits[row] - 1
-        carried[working] = 0.0
+        first, last = winches.first[row], winches.last[row]
+        low, high, drums, end = min(first, last), max(first, last), 0, last
+        for other in range(exits.shape[0]):
+            if low <= exits[other] <= high:
+                drums += 1
+                if other != row:
+                    end = exits[other]
+        if abs(end - exits[row]) > drums:
+            carried[working_segment(winches, exits, row)] = 0.0
 
 
 @kernel

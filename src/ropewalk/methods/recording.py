@@ -281,6 +281,8 @@ def take_growth(x, state, winches, floor, tension):
     for row in range(state.winch_exit.shape[0]):
         drum = state.winch_exit[row]
         j = drum if winches.step[row] > 0 else drum - 1
+        if state.rest_length[j] == 0.0:  # it has parted
+            continue
         dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
         stretch = math.sqrt(dx * dx + dy * dy + dz * dz) / state.rest_length[j]
         if floor[j] != 0.0 or stretch >= 1.0:
