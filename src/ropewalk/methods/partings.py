@@ -47,7 +47,7 @@ def part_ropes(system, state, pull, sums, t):
 
 @kernel
 def spare_drums(winches, exits, carried):
-    """Leave out the segments next to drums, whose lengths are the winches': the next ones part, where any are."""
+    """Leave out the segments next to drums, whose lengths are the winches': the next ones part, if any."""
     for row in range(exits.shape[0]):
         first, last = winches.first[row], winches.last[row]
         low, high, drums, end = min(first, last), max(first, last), 0, last
