@@ -120,7 +120,7 @@ class ViewServer:
             return None if scene is None else (lambda: scene)
 
         def ask() -> Scene:
-            from ropewalk.live.snapshot import Standing
+            from ropewalk.live.as_it_stands import Standing
 
             found: Future[Standing] = Future()
 

@@ -7,7 +7,7 @@ import pytest
 
 from live.drive import do, slack_rope
 from ropewalk.live.session import Session
-from ropewalk.live.snapshot import Standing
+from ropewalk.live.as_it_stands import Standing
 from ropewalk.scene import Anchor, Scene, dumps, loads
 from ropewalk.scene.motions import Orbit, Shake, Table, Velocity
 
