@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from live.drive import do, slack_rope
-from ropewalk.live.session import Session
 from ropewalk.live.as_it_stands import Standing
+from ropewalk.live.session import Session
 from ropewalk.scene import Anchor, Scene, dumps, loads
 from ropewalk.scene.motions import Orbit, Shake, Table, Velocity
 
