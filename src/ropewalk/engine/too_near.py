@@ -7,7 +7,6 @@ import numpy as np
 from ropewalk.core.arrays import Ints, State
 from ropewalk.laws.obstacle import radius_of
 from ropewalk.laws.obstacle_rows import half_thickness
-from ropewalk.laws.obstacle_way import LONG
 from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
 from ropewalk.lowering import Layout, Plan
 from ropewalk.methods.registry import METHODS
@@ -15,6 +14,9 @@ from ropewalk.scene import Obstacle, Scene
 from ropewalk.scene.obstacles import name_of
 
 _FINER = 0.1  # [1] of the longest step that `adaptive` took
+
+#: Length over half the thickness [1]: of what is shorter a node presses before the segment is across.
+_SHORT = 1.4
 
 
 def finer(plan: Plan, longest: float = 0.0) -> tuple[str, ...]:
@@ -91,7 +93,7 @@ def passing(
         )
         return what, one_of(*closer, *slower, "a stiffer contact (its compliance)")
     made = next(one for one in scene.ropes if one.name == rope)
-    short = LONG * (half_thickness(body) + radius_of(made))
+    short = _SHORT * (half_thickness(body) + radius_of(made))
     what = (
         f"segment {node} of rope {rope!r} would go through obstacle {name!r} between its two nodes, where "
         "nothing holds it"
