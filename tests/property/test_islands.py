@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import math
 import pickle
 import sys
 from collections import Counter
@@ -19,7 +20,7 @@ from ropewalk.engine import islands
 from ropewalk.engine.partition import partition
 from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
-from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Velocity
+from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Straight, Velocity
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block, join
 from strategies import scenes
@@ -173,6 +174,25 @@ def test_ropes_share_an_island_where_nothing_can_set_them_apart() -> None:
     ):
         scene = Scene(ropes=ropes, anchors=anchors, run={"method": method, "time_step": 1e-3})
         assert partition(build(scene)) == expected
+
+
+def test_faults_at_the_start_name_the_ropes_of_the_whole_scene() -> None:
+    """All of them, though every rope starts by itself. The twin: what they are drawn as otherwise."""
+
+    def drawn(*lengths: float) -> Scene:
+        ropes = [
+            Rope(name=f"line{k}", segments=4, length=1.0,
+                 made_of=Material(EA=math.inf if k else 1e3, mass_per_length=0.1),
+                 shape=Straight(start=(0, k, 0), end=(length, k, 0)))
+            for k, length in enumerate(lengths)
+        ]  # fmt: skip
+        anchors = [Anchor(rope=rope.name, node=0) for rope in ropes]
+        return Scene(ropes=ropes, anchors=anchors, run={"method": "bdf2", "time_step": 1e-3})
+
+    with pytest.raises(SceneError) as caught:
+        Simulation(drawn(0.8, 0.8, 1.0, 0.8))
+    assert [fault.path for fault in caught.value.faults] == ["rope[1].shape", "rope[3].shape"]
+    Simulation(drawn(0.8, 1.0, 1.0, 1.0))
 
 
 @pytest.mark.parametrize("method", ["sdirk2", "bdf2", "adaptive"])

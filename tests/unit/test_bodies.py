@@ -168,3 +168,18 @@ def test_what_is_round_turns_by_half_in_a_step_at_most() -> None:
         drum.turn_to(5.0, STEP)
     drum.rate = -0.99 * most
     assert drum.rate == pytest.approx(-0.99 * most)
+
+
+def test_adaptive_moves_a_body_as_fast_as_its_longest_step_lets_it() -> None:
+    """Not as the interval of frames does: its steps may be longer, and shorter, than that."""
+    scene = on_a_table()
+    found = []
+    for longest in (0.02, 0.005):
+        run = scene.run.replace(method="adaptive", time_step=longest, frame_rate=100.0)
+        simulation = rw.Simulation(scene.replace(run=run))
+        found.append(simulation.obstacles["drum"].fastest * longest)
+        with pytest.raises(
+            ValueError, match=rf"in steps of {longest:g} s it would jump over nodes"
+        ):
+            simulation.obstacles["drum"].velocity = (1e4, 0.0, 0.0)
+    assert found == pytest.approx([0.51, 0.51])

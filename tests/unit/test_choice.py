@@ -71,6 +71,8 @@ def test_what_a_scene_limits() -> None:
         limited = METHODS[plan(rope(EA).replace(limiter=Limiter(max_stretch=1.1))).method]
         assert limited.implicit
         assert limited.holds_links
+    bounded = plan(rope(1e3).replace(limiter=Limiter(max_stretch=1.1))).why
+    assert bounded.endswith("no bound holds for explicit methods beside a stretch limiter")
     assert not METHODS[plan(rope(1e3)).method].implicit  # the twin
     winch = Winch(end="start", speed=10.0)
     wound = plan(rope(1e7).replace(winches=[winch]))

@@ -9,7 +9,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.lowering import build
-from ropewalk.scene import SceneError, loads
+from ropewalk.scene import Cylinder, SceneError, Straight, loads
 
 ROPE = """
 [run]
@@ -108,3 +108,26 @@ def test_what_turns_by_more_than_half_in_a_step_is_refused(spin: str) -> None:
         build(loads(ROPE % ("0.3", "0.3") + BAR + f"spin = {{ {spin} }}"))
     slower = spin.replace("1100", "700")
     build(loads(ROPE % ("0.3", "0.3") + BAR + f"spin = {{ {slower} }}"))
+
+
+@pytest.mark.parametrize("tied", [True, False])
+def test_what_is_tied_to_an_anchor_inside_an_obstacle_may_stand_there(tied: bool) -> None:
+    """As the anchored node itself, on which it is; a rope that begins there by itself may not."""
+    ropes = [
+        rw.Rope(
+            name=name, segments=1, length=1.0, made_of=rw.Material(EA=1e3, mass_per_length=0.1),
+            shape=Straight(start=(0.0, 0.0, 0.02), end=(side, 0.0, 0.02)),
+        )
+        for name, side in (("one", 1.0), ("other", -1.0))
+    ]  # fmt: skip
+    knot = {"points": [{"rope": name, "node": 0} for name in ("one", "other")]}
+    bar = Cylinder(name="bar", start=(0, -0.1, 0), end=(0, 0.1, 0), radius=0.05)
+    scene = rw.Scene(
+        ropes=ropes, anchors=[rw.Anchor(rope="one", node=0)], joints=[knot] if tied else [],
+        obstacles=[bar], run=rw.RunSettings(method="bdf2", time_step=1e-3),
+    )  # fmt: skip
+    if tied:
+        rw.Simulation(scene)
+        return
+    with pytest.raises(rw.SceneError, match=r"rope\[1\].shape: .* inside obstacle 'bar'"):
+        rw.Simulation(scene)

@@ -178,6 +178,16 @@ def test_faults_at_the_winch() -> None:
         winch.speed = 0.2
 
 
+def test_adaptive_steps_are_no_frames_at_a_winch() -> None:
+    """It winds a fifth of a segment at most in a step of its own, however long a frame is."""
+    scene = wound(0.1).scene
+    steps = RunSettings(method="adaptive", duration=0.5, frame_rate=10.0)
+    sim = Simulation(scene.replace(run=steps))
+    sim.winches["hoist"].speed = -2.0  # 0.2 m of segments of 0.5 m in a frame
+    sim.step(0.5)
+    assert sim.winches["hoist"].length == pytest.approx(3.0, abs=1e-9)
+
+
 def test_an_anchor_that_let_go_follows_its_node() -> None:
     """Free fall of one node: x = -g dt^2 s (s + 1) / 2 since the release. The twin still holds."""
     rope = Rope(segments=1, made_of=Springs(spring_constant=0.5, node_mass=1.0, segment_length=1.0))

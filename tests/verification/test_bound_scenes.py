@@ -10,7 +10,18 @@ import pytest
 
 from ropewalk.lowering.chains import chains
 from ropewalk.methods.bound import largest_step
-from ropewalk.scene import Ground, Rope, Scene, Springs, Straight, Winch
+from ropewalk.scene import (
+    Air,
+    Force,
+    Ground,
+    Material,
+    Rope,
+    Scene,
+    Sphere,
+    Springs,
+    Straight,
+    Winch,
+)
 from ropewalk.simulation import Simulation
 from verification.setups import DOWN, along_x, chain, g, hold, run, scene, springs
 
@@ -171,3 +182,28 @@ def test_verlet_with_a_winch_and_friction_keeps_within_the_bound() -> None:
     stops = 0.6 * L / 0.02
     assert growth(made, 0.99 * bound, after=1.1 * stops) < 200.0
     assert growth(made, 2.2 * bound, after=1.1 * stops) > 1e6
+
+
+@pytest.mark.parametrize(
+    ("pushed", "more"),
+    [
+        (False, {}),
+        (True, {"forces": [Force(node=2, force=(0.0, 0.0, 1.0))]}),
+        (True, {"air": Air(density=1.2, wind=(0.0, 2.0, 0.0))}),
+        (True, {"obstacles": [Sphere(center=(0.1, 1.0, 0.0), radius=0.1)]}),
+    ],
+)
+def test_what_pushes_a_straight_rope_aside_is_in_the_bound(pushed: bool, more: dict) -> None:
+    """It was not: `euler` has no step for what nothing damps aside, and was told one."""
+    force = more.pop("forces", [])
+    made_of = Material(EA=100.0, mass_per_length=0.1, axial_damping=0.1)
+    line = Rope(
+        segments=4,
+        length=4 * L,
+        made_of=made_of,
+        shape=Straight(end=(4 * L, 0.0, 0.0)),
+        forces=force,
+    )
+    simulation = Simulation(Scene(ropes=[line], gravity=(0.0, 0.0, 0.0), **more))
+    free = chains(simulation.system, simulation.arrays)["in the air"]
+    assert (largest_step("euler", free) < 1e-6) == pushed

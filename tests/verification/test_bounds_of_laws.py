@@ -306,3 +306,16 @@ def test_check_says_what_the_limiter_does() -> None:
     rigid = str(rw.check(hung("bdf2", EA=math.inf)))
     assert "the stretch limiter has nothing to do on 'rope'" in rigid
     assert "acts even at rest" not in rigid
+
+
+def test_a_bound_of_no_stretch_is_told_as_the_limiters() -> None:
+    """Of springs that may not stretch at all it was said that they do not."""
+    line = hung("bdf2", EA=1e4).ropes[0]
+    ends = [Anchor(name="a", node=0), Anchor(name="b", node=-1)]
+    far = tuple(2.0 * c for c in line.shape.end)
+    scene = hung("bdf2", EA=1e4).replace(
+        ropes=[line.replace(shape={"kind": "straight", "end": far})], anchors=ends,
+        limiter=Limiter(max_stretch=1.0),
+    )  # fmt: skip
+    with pytest.raises(SceneError, match="between them at the limiter's max_stretch: an implicit"):
+        Simulation(scene)

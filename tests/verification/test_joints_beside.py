@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from ropewalk.api import simulate
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene import Anchor, Limiter, Material, Points, Rope, Scene, Winch
+from ropewalk.scene import Anchor, Limiter, Material, Points, Rope, RunSettings, Scene, Winch
 from ropewalk.simulation import Simulation
 from verification.joined import cut, run, star, tie, uncut
 from verification.test_joints import together
@@ -171,3 +173,26 @@ def test_the_anchor_of_a_limited_star_carries_all_that_hangs() -> None:
     assert result.reactions[-1, 0] == pytest.approx([0, 0, 2.1 * 9.81], rel=1e-6, abs=1e-9)
     assert result.joint_force("knot")[-1, 1] == pytest.approx([0, 0, 2.05 * 9.81], rel=2e-2)
     assert result.joint_force("knot")[-1].sum(axis=0) == pytest.approx([0, 0, 0], abs=1e-9)
+
+
+@pytest.mark.filterwarnings("error:divide by zero encountered in divide")
+def test_rigid_links_tied_to_a_rope_that_waits_on_a_drum_start_in_silence() -> None:
+    """Nodes on a drum have no mass, and no impulse of a start: one over it was warned of."""
+    soft, rigid = (Material(EA=EA, mass_per_length=0.1) for EA in (1e4, math.inf))
+    ropes = [
+        Rope(name="wound", segments=2, length=1.0, made_of=soft,
+             shape={"kind": "straight", "end": (0, 0, -1)}),
+        Rope(name="links", segments=2, length=1.0, made_of=rigid,
+             shape={"kind": "straight", "start": (0, 0, -1), "end": (0, 0, -2)},
+             kicks=[{"node": -1, "velocity": (1.0, 0.0, -1.0)}]),
+    ]  # fmt: skip
+    knot = {"points": [{"rope": "wound", "node": -1}, {"rope": "links", "node": 0}]}
+    simulation = Simulation(
+        Scene(
+            ropes=ropes, anchors=[Anchor(rope="wound", node=0)], joints=[knot],
+            winches=[Winch(rope="wound", end="start", speed=0.1, on_drum=1.0)],
+            run=RunSettings(method="bdf2", time_step=1e-3),
+        )
+    )  # fmt: skip
+    rates = np.diff(simulation.arrays.v[2, -3:])
+    assert np.abs(rates).max() < 1e-11  # the kick along the links is shared

@@ -231,3 +231,31 @@ def test_what_is_told_of_a_soft_line_is_how_much_lower_its_load_hangs() -> None:
 def told_of(scene: rw.Scene) -> list[str]:
     """What `check` says of slides."""
     return [line for line in rw.check(scene, measure=False).warnings if line.startswith("slide ")]
+
+
+@pytest.mark.parametrize("end", ["free", "held"])
+def test_what_is_tied_to_a_rope_that_slides_comes_along(end: str) -> None:
+    """A sling drawn 5 cm off the wire, with a load tied to it: both are moved on to the wire. Where an anchor
+    holds the load nothing moves, and the slide is refused.
+    """
+    scene = light_wire()
+    wire, rider = scene.ropes
+    top = float(build(scene).state.x[:, build(scene).layout.node(0, "rider")][2])
+    at = float(build(scene).state.x[0, build(scene).layout.node(0, "rider")])
+    sling = rider.replace(shape=Straight(start=(at, 0, top + 0.05), end=(at, 0, top - 0.55)))
+    load = rider.replace(
+        name="load", shape=Straight(start=(at, 0, top - 0.55), end=(at, 0, top - 1.15)), loads=[]
+    )
+    knot = {"points": [{"rope": "rider", "node": -1}, {"rope": "load", "node": 0}]}
+    made = scene.replace(ropes=[wire, sling, load], joints=[knot])
+    if end == "held":
+        held = [*scene.anchors, rw.Anchor(rope="load", node=-1)]
+        with pytest.raises(
+            rw.SceneError, match=r"slide\[0\]\.node: .* as an anchor has its rope's"
+        ):
+            build(made.replace(anchors=held))
+        return
+    model = build(made)
+    x, node = model.state.x, model.layout.node
+    assert x[2, node(0, "rider")] == pytest.approx(top, abs=1e-12)
+    assert x[2, node(-1, "load")] == pytest.approx(top - 1.2, abs=1e-12)

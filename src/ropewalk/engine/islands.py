@@ -46,7 +46,7 @@ from ropewalk.engine.places import find_links, pool_size
 from ropewalk.engine.shares import gather_peaks, shares_of
 from ropewalk.engine.slices import Slices
 from ropewalk.engine.spare import Spare
-from ropewalk.engine.start import started
+from ropewalk.engine.start import all_started, started
 from ropewalk.lowering import Model
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording
@@ -97,13 +97,13 @@ class Islands:
     def __init__(self, model: Model, groups: list[list[int]], *, ledger: bool) -> None:
         """Take up a model whose ropes are grouped into islands, by their numbers.
 
-        Raises SceneError and NoRest as `start.started` does.
+        Raises SceneError and NoRest as `start.all_started` does.
         """
         if model.scene.run.ring is not None:
             model = started(model)  # its modes are those of the whole scene
         self.shares = shares_of(model, groups)
         whole = flatten(model.state)
-        parts = [started(share.cut(model, whole)) for share in self.shares]
+        parts = all_started((share.cut(model, whole) for share in self.shares), groups)
         self.state, self._pool = own_state(model)
         self.controls = controls_of(model.system)
         self.system = controlled(model.system, self.controls)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
@@ -58,6 +60,29 @@ def started(model: Model) -> Model:
         memory.wheel[...] = rates
         _load_wheels(found)
     return found
+
+
+def all_started(parts: Iterable[Model], ropes: Iterable[list[int]]) -> list[Model]:
+    """Return parts of a scene as their runs start; `ropes` are the numbers of theirs in the whole scene.
+
+    Raises SceneError for all parts together, NoRest for the first one.
+    """
+    found, faults = list[Model](), list[Fault]()
+    for part, numbers in zip(parts, ropes, strict=True):
+        try:
+            found.append(started(part))
+        except SceneError as error:
+            told = [_in_whole(fault, numbers) for fault in error.faults]
+            faults += [fault for fault in told if fault not in faults]
+    if faults:
+        raise SceneError(faults)
+    return found
+
+
+def _in_whole(fault: Fault, numbers: list[int]) -> Fault:
+    """Return a fault of a part, its rope named as in the whole scene."""
+    path = re.sub(r"^rope\[(\d+)\]", lambda m: f"rope[{numbers[int(m[1])]}]", fault.path)
+    return replace(fault, path=path)
 
 
 def _load_wheels(model: Model) -> None:

@@ -131,15 +131,21 @@ class ObstacleHandle:
         return not is_free(self._body)
 
     @property
+    def _step(self) -> float:
+        """The longest step that its method takes [s]."""
+        plan = self._simulation.plan
+        return float(self._simulation.clock[1]) if plan.longest is None else plan.longest
+
+    @property
     def _limit(self) -> float:
         """The largest speed at which a surface jumps over no node within a step [m/s]."""
         simulation = self._simulation
-        return radius_with_rope(simulation.system, self._body) / simulation.clock[1]
+        return radius_with_rope(simulation.system, self._body) / self._step
 
     @property
     def _half_turn(self) -> float:
         """Half a turn in a step [rad/s]."""
-        return math.pi / float(self._simulation.clock[1])
+        return math.pi / self._step
 
     @property
     def _reach(self) -> float:
@@ -200,7 +206,7 @@ class ObstacleHandle:
             rule = "its weight turns it, and what moves its pivot would, too; no hand can move it"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         if speed > fastest * (1.0 + _EVEN):
-            step = self._simulation.clock[1]
+            step = self._step
             rule = f"in steps of {step:.3g} s it would jump over nodes; at most {fastest:.4g} m/s"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         bodies, row, place = self._simulation.bodies, self._row, self.position
@@ -212,7 +218,7 @@ class ObstacleHandle:
             rule = "it turns freely, as ropes turn it; no hand can turn it"
             raise ValueError(f"rate: {rate:g} rad/s - {rule}")
         if abs(rate) > (most := self.fastest_turn) * (1.0 + _EVEN):
-            step = self._simulation.clock[1]
+            step = self._step
             does = "jump over nodes" if most < self._half_turn else "turn by more than half"
             rule = f"in steps of {step:.3g} s it would {does}; at most {most:.4g} rad/s"
             raise ValueError(f"rate: {rate:.4g} rad/s - {rule}")

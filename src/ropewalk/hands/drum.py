@@ -37,7 +37,7 @@ class WinchHandle:
 
         What is set replaces the scene's speed and interval; the scene's lengths still limit it.
         Raises ValueError for what is no finite number, for a speed that would wind more than a fifth
-        of a segment in a step, and for a winch whose drum was let go.
+        of a segment in a step (`adaptive` takes shorter steps), and for a winch whose drum was let go.
         """
         winches, row = self._winches, self._row
         turns = winches.start[row] <= self._simulation.time < winches.stop[row]
@@ -48,8 +48,9 @@ class WinchHandle:
         speed = _finite(value)
         if not self._state.held[self._winches.anchor[self._row]]:
             raise ValueError("speed: the anchor of the drum has let go; the winch turns no more")
-        most = WINCH_SHARE * float(self._winches.segment[self._row]) / self._simulation.plan.dt
-        if abs(speed) > most:
+        plan = self._simulation.plan
+        most = WINCH_SHARE * float(self._winches.segment[self._row]) / plan.dt
+        if plan.tolerance is None and abs(speed) > most:
             raise ValueError(
                 f"speed: {speed:g} - must be at most {most:.4g} m/s, a fifth of a segment a step"
             )

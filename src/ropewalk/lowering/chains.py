@@ -55,8 +55,7 @@ def free_chains(system: System, state: State, speed: float = 0.0) -> dict[str, C
         node_stiffness=zero,
         node_damping=zero,
         free=free,
-        sideways=bool(np.any(system.gravity) or np.any(state.v) or len(state.held) > 0)
-        or not _is_straight(state.x),
+        sideways=_is_pushed(system, state) or not _is_straight(state.x),
         bending=bending,
         damping_bending=rubbing,
     )
@@ -90,6 +89,12 @@ def calms_with_speed(system: System, state: State) -> bool:
     chain = free_chains(system, state)[FREE]
     slow, fast = (_under_laws(system, chain, state.rest_length, speed) for speed in (0.0, 1.0))
     return not np.array_equal(slow.node_damping, fast.node_damping)
+
+
+def _is_pushed(system: System, state: State) -> bool:
+    """Tell whether anything may push nodes off the line that they lie on."""
+    moved = bool(np.any(system.gravity) or np.any(state.v) or len(state.held) > 0)
+    return moved or bool(np.any(state.forces.applied) or acting(system))
 
 
 def _is_straight(x: Floats) -> bool:

@@ -100,6 +100,8 @@ def reason(scene: Scene, found: list[Candidate], dt: float) -> str:
     other = next((one for one in found if METHODS[one.method].implicit != implicit), None)
     if other is None and any(rope.rigid for rope in scene.ropes):
         return f"{said}: rigid links need a method that holds their lengths"
+    if other is None and scene.limiter is not None:
+        return f"{said}: no bound holds for explicit methods beside a stretch limiter"
     if other is None:
         return f"{said}: no other method has a stable step"
     times = other.cost / best.cost

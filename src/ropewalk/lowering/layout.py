@@ -163,7 +163,10 @@ def surfaces_of(scene: Scene) -> tuple[str, ...]:
 
 
 def _spare_nodes(scene: Scene, rope: Rope, winch: Winch) -> int:
-    """Nodes that must wait on the drum for all the rope that the winch can pay out."""
+    """Nodes that must wait on the drum for all the rope that the winch can pay out within the run's duration.
+
+    The last frame may come up to half an interval later: for more than a segment of that give `on_drum`.
+    """
     if winch.on_drum is not None:
         return min(math.ceil(winch.on_drum / rope.segment_length * (1.0 - 1e-12)), MOST_ON_DRUM)
     if winch.speed <= 0.0:

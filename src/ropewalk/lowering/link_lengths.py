@@ -62,12 +62,13 @@ def reaches(layout: Layout, state: State, x: Floats, longest: float = math.inf) 
     for span in layout.ropes:
         nodes = sorted(node for node in rows if span.start <= node <= span.end)
         for a, b in itertools.pairwise(nodes):
-            most = 1.0 if np.isinf(state.stiffness[a]) else longest
+            rigid = bool(np.isinf(state.stiffness[a]))
+            most = 1.0 if rigid else longest
             if most < math.inf:
                 names = layout.anchor_names[rows[a]], layout.anchor_names[rows[b]]
                 distance = float(np.linalg.norm(x[:, b] - x[:, a]))
                 length = most * float(state.rest_length[a:b].sum())
-                yield Reach(span.name, names, distance, length, most != 1.0)
+                yield Reach(span.name, names, distance, length, not rigid)
 
 
 def with_links(model: Model) -> Model:
@@ -170,7 +171,7 @@ def _over_mass(state: State, number: Ints) -> Floats:
     """Return one over the mass of the points, (m,); 0 for held ones."""
     mass = np.bincount(number, state.mass)
     held = np.bincount(number, state.inverse_mass == 0.0) > 0.0
-    found: Floats = np.where(held, 0.0, 1.0 / mass)
+    found: Floats = np.divide(1.0, mass, out=np.zeros_like(mass), where=~held)
     return found
 
 

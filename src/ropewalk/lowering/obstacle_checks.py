@@ -128,7 +128,9 @@ def _buried(scene: Scene, system: System, state: State, layout: Layout) -> list[
     table: Obstacles = system.node.obstacle
     deep = depths(table, state.x)
     allowed = squeeze(table, system, state)
-    deep[:, state.anchor_node[state.held == 1]] = 0.0  # an anchor may stand anywhere
+    deep[:, state.inverse_mass == 0.0] = (
+        0.0  # an anchor may stand anywhere, with what is tied to it
+    )
     faults = []
     for number, span in enumerate(layout.ropes):
         own = slice(span.start, span.end + 1)

@@ -13,6 +13,7 @@ from ropewalk.laws.slides.table import NEAREST, room_of
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Scene, SceneError, Winch
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.joint import tied_ropes
 
 _NEAR = 1.0  # [1] a node that is drawn farther off, over the length of a segment, is somewhere else
 _SECOND = 0.01  # [1] the same of a second node of one rope, which alone is moved
@@ -36,26 +37,30 @@ def shortest_length(scene: Scene, winch: Winch, segment: float) -> float:
 
 
 def put_on_ropes(scene: Scene, layout: Layout, state: State) -> None:
-    """Move what slides onto its rope, its own rope with it: lines first, then what slides along them.
+    """Move what slides onto its rope, its own rope and what is tied to it with it: lines first, then what
+    slides along them.
 
     Raises SceneError where it is drawn too far from there, where an anchor holds what would be moved, and
     for ropes that slide along each other in a ring.
     """
-    faults, placed = list[Fault](), set[str]()
+    faults, placed, lines = list[Fault](), set[str](), set[str]()
     held = {anchor.rope for anchor in scene.anchors}
+    tied = _tied_to(scene)
     for i in _lines_first(scene):
         slide = scene.slides[i]
-        node, span, line = layout.node(slide.node, slide.rope), layout.span(slide.rope), slide.on
+        node, line = layout.node(slide.node, slide.rope), slide.on
         u, way = _way_to_rope(scene, layout, state.x, i)
         faults += _at_drum(scene, layout, state.x, i, u)
         far = float(np.linalg.norm(way))
-        stays = slide.rope in placed or slide.rope in held
+        group = tied[slide.rope]
+        stays = line in group or not (placed | held | lines).isdisjoint(group)
         if stays:
             allowed = _SECOND * scene.rope_named(slide.rope).segment_length
         else:
             allowed = _NEAR * scene.rope_named(line).segment_length
         if (stays or slide.at is None) and far > allowed:
-            whose = "another slide" if slide.rope in placed else "an anchor"
+            whose = "a joint" if held.isdisjoint(group) else "an anchor"
+            whose = whose if (placed | lines).isdisjoint(group) else "another slide"
             more = f", as {whose} has its rope's place" if stays else ", or give `at`"
             rule = (
                 f"lies {far:.4g} m off its place on rope {line!r} at the start: draw it there{more}"
@@ -64,10 +69,20 @@ def put_on_ropes(scene: Scene, layout: Layout, state: State) -> None:
         elif stays:
             state.x[:, node] += way
         else:
-            state.x[:, span.first : span.last + 1] += way[:, None]
-        placed.add(slide.rope)
+            for own in map(layout.span, group):
+                state.x[:, own.first : own.last + 1] += way[:, None]
+        placed.update(group)
+        lines.add(line)
     if faults:
         raise SceneError(faults)
+
+
+def _tied_to(scene: Scene) -> dict[str, list[str]]:
+    """Return the ropes that joints tie to every rope, by name, itself included."""
+    groups = [
+        [scene.ropes[k].name for k in group] for group in tied_ropes(scene.ropes, scene.joints)
+    ]
+    return {name: group for group in groups for name in group}
 
 
 def _way_to_rope(scene: Scene, layout: Layout, x: Floats, i: int) -> tuple[float, Floats]:
