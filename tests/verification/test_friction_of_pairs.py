@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.live import edits
+from ropewalk.lowering.layout import make_layout
 from ropewalk.scene import Contact, Points, RunSettings, SceneError, Straight
 
 g = 9.81  # [m/s^2], as scenes have it
@@ -120,6 +122,28 @@ def test_tables_of_contacts_tell_of_what_friction_can_carry_by_pair() -> None:
     weight = 0.3 * 0.1 * g
     assert rubs.get_group("rough").sum() == pytest.approx(weight * math.sin(SLOPE), rel=1e-4)
     assert rubs.get_group("greased").max() == 0.0
+
+
+def test_pieces_of_a_cut_rope_are_as_rough_as_it_was() -> None:
+    """On an obstacle, on other ropes, and on each other."""
+    on_slope = on_a_slope("esdirk3")
+    made = edits.cut(on_slope, make_layout(on_slope), 13).scene  # the middle segment of "greased"
+    names = [rope.name for rope in made.ropes]
+    pieces = [rope for rope in made.ropes if rope.name.startswith("greased")]
+    assert len(pieces) == 2, names
+    assert [made.obstacles[0].friction_with(rope) for rope in pieces] == [0.0, 0.0]
+    own = {"rope": "plain", "other": "plain", "friction": 0.7}
+    scene = bars({"rope": "rail0", "other": "plain", "friction": 0.3}, own)
+    long = scene.ropes[2].replace(segments=3, shape=Straight(start=(0, 0, 1), end=(0, 0.3, 1)))
+    scene = scene.replace(ropes=[*scene.ropes[:2], long, scene.ropes[3]])
+    made = edits.cut(scene, make_layout(scene), 5).scene
+    assert made.contact is not None
+    place = {rope.name: number for number, rope in enumerate(made.ropes)}
+    table = made.contact.frictions(made.ropes)
+    first, second = place["plain-1"], place["plain-2"]
+    assert table[first, place["rail0"]] == table[second, place["rail0"]] == 0.3
+    assert table[first, second] == table[first, first] == 0.7
+    assert table[first, place["rough"]] == 0.5
 
 
 def test_scenes_keep_pairs() -> None:

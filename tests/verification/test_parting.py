@@ -12,13 +12,9 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.strains import parting_warnings
-from ropewalk.cli.commands.run import _tell_of_partings
-from ropewalk.laws.pairs.table import CONTACTS, NEAR
 from ropewalk.methods.registry import METHODS
-from ropewalk.record.parted import Parting
 from ropewalk.record.simulate import simulate_in_memory
-from ropewalk.scene import Kick, SceneError, Straight
-from verification.feature_pairs import scene_of
+from ropewalk.scene import Kick, Straight
 
 K, M, G, SPEED, LOAD = 4000.0, 2.0, 9.81, 1.0, 80.0  # N/m, kg, m/s^2, m/s, N
 OMEGA = math.sqrt(K / M)
@@ -315,79 +311,3 @@ def test_a_winch_stops_where_its_rope_has_parted(more: dict[str, float]) -> None
     after = result.time > parting.time
     assert np.ptp(result.rest_length[after].sum(axis=1)) == 0.0
     assert np.ptp(result.rest_length[~after].sum(axis=1)) > 0.0
-
-
-@pytest.mark.parametrize("drums", [1, 2])
-@pytest.mark.parametrize("speed", [0.0, -0.05, 0.05])
-@pytest.mark.parametrize("method", ["semi-implicit-euler", "esdirk3"])
-def test_what_is_all_that_is_left_off_a_drum_parts(method: str, speed: float, drums: int) -> None:
-    """A rope of one segment between a drum and its end, or another drum, though a drum winds it."""
-    made_of = rw.Material(
-        EA=1e4, mass_per_length=0.1, axial_damping=2.0, breaking_load=100.0, parts=True
-    )
-    shape = Straight(start=(0, 0, 0), end=(0, 0, -2.0))
-    flung = {"loads": [{"node": -1, "mass": 20.0}]} if drums == 1 else {}
-    turns = {"speed": speed or -1.0, "start": 0.0 if speed else 1.0}
-    apart = rw.Anchor(node=-1, motion={"kind": "velocity", "velocity": (0, 0, -0.4)})
-    scene = rw.Scene(
-        ropes=[rw.Rope(segments=1, length=1.99, made_of=made_of, shape=shape, **flung)],
-        anchors=[rw.Anchor(node=0), apart][:drums],
-        winches=[rw.Winch(end=end, **turns) for end in ("start", "end")[:drums]],
-        run=rw.RunSettings(method=method, time_step=1e-3, duration=0.12, frame_rate=100.0),
-    )
-    result = rw.simulate(scene)
-    (parting,) = result.partings
-    assert 100.0 < parting.tension < 130.0
-    after = result.time > parting.time
-    assert after.any()
-    assert not result.tension[after].any()
-    assert np.isfinite(result.positions[after]).all()
-    assert -result.work["parting"][-1] == pytest.approx(
-        0.5 * parting.tension**2 * 1.99 / 1e4, rel=0.05
-    )
-
-
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
-        ({"breaking_load": None}, "needs a load at which it parts: give breaking_load"),
-        ({"breaking_load": -1.0}, "breaking_load"),
-        ({"parts": "maybe"}, "parts"),
-    ],
-)
-def test_bad_input_is_refused_by_name(changes: dict[str, Any], words: str) -> None:
-    with pytest.raises(SceneError, match=words):
-        string(**changes)
-
-
-def test_springs_of_no_length_do_not_part() -> None:
-    made_of = rw.Springs(
-        spring_constant=1.0, node_mass=1.0, segment_length=0.0, parts=True, breaking_load=1.0
-    )
-    with pytest.raises(SceneError, match="needs springs of a length"):
-        rw.Rope(segments=2, made_of=made_of)
-
-
-def test_no_more_than_three_partings_are_told_one_by_one(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    _tell_of_partings(tuple(Parting(0.1, "one", segment, 5.0) for segment in range(40)))
-    told = capsys.readouterr().err
-    assert told.count("a rope parted: segment") == 3
-    assert "and 37 more segments parted" in told
-
-
-def test_what_has_parted_is_not_touched() -> None:
-    """Segments that part go from the contacts of ropes; their neighbours stay."""
-    simulation = rw.Simulation(scene_of("implicit-euler", "contact", "parting", implicit=True))
-    table, memory = simulation.system.node.contact, simulation.arrays.memory.contact
-    whole = memory.rope.copy()
-    assert (whole == table.rope).all()
-    simulation.advance_steps(20)
-    memory = simulation.arrays.memory.contact
-    parted = (simulation.arrays.stiffness == 0.0) & (table.rope >= 0)
-    assert parted.any()
-    assert not parted.all()
-    assert ((memory.rope < 0) == (parted | (whole < 0))).all()
-    assert not parted[memory.pair[: memory.tally[CONTACTS]]].any()
-    assert not parted[memory.near[: memory.tally[NEAR]]].any()

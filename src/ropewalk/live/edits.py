@@ -32,6 +32,7 @@ from ropewalk.scene import (
     Straight,
     Tie,
 )
+from ropewalk.scene.rubbing import between_pieces, of_pieces
 
 MOST_ANCHORS, MOST_ROPES = 100, 200
 MOST_NODES = 200_000
@@ -206,7 +207,12 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
     for low, high, _ in ends:
         kept[span.start + low : span.start + high + 1] = True
     note = "" if len(ends) == 2 else "the last node is no rope any more and was dropped"
-    made = scene.replace(ropes=ropes, anchors=anchors, joints=joints)
+    made = scene.replace(
+        ropes=ropes,
+        anchors=anchors,
+        joints=joints,
+        **_rubbing(scene, name, [new for *_, new in ends]),
+    )
     return Edit(made, np.flatnonzero(kept).astype(np.float64), note)
 
 
@@ -279,6 +285,19 @@ def _retied(joint: Joint, rope: Rope, ends: Sequence[tuple[int, int, str]]) -> J
             if low <= node <= high:
                 points.append(tie.replace(rope=new, node=node - low))
     return joint.replace(points=points) if len(points) > 1 else None
+
+
+def _rubbing(scene: Scene, name: str, pieces: Sequence[str]) -> dict[str, Any]:
+    """Return obstacles and contact once a rope is in pieces, where pairs of it have friction of their own."""
+    found: dict[str, Any] = {}
+    if any(body.pairs for body in scene.obstacles):
+        found["obstacles"] = [
+            body.replace(pairs=of_pieces(body.pairs, name, pieces)) for body in scene.obstacles
+        ]
+    if scene.contact is not None and scene.contact.pairs:
+        pairs = between_pieces(scene.contact.pairs, name, pieces)
+        found["contact"] = scene.contact.replace(pairs=pairs)
+    return found
 
 
 def _two_names(scene: Scene, name: str) -> tuple[str, str]:

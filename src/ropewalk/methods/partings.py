@@ -33,7 +33,7 @@ def part_ropes(system, state, pull, sums, t):
     record_elastic(system, state, sums, over)
     carried_tension(system, state, over, carried)
     if winds(system, state):
-        spare_drums(system.winches, state.winch_exit, carried)
+        spare_drums(system.winches, state.winch_exit, parted.time, carried)
     count, j, begin = 0, 0, 0
     passing = table.passing
     if find_overloaded(table.strength, table.rope, passing, parted.time, carried, t, over) > 0:
@@ -46,8 +46,11 @@ def part_ropes(system, state, pull, sums, t):
 
 
 @kernel
-def spare_drums(winches, exits, carried):
-    """Leave out the segments next to drums, whose lengths are the winches': the next ones part, if any."""
+def spare_drums(winches, exits, time, carried):
+    """Leave out the segments next to drums, whose lengths are the winches': the next ones part, if any.
+
+    Those count that are there, up to where the rope has parted at some `time` [s].
+    """
     for row in range(exits.shape[0]):
         first, last = winches.first[row], winches.last[row]
         low, high, drums, end = min(first, last), max(first, last), 0, last
@@ -56,7 +59,14 @@ def spare_drums(winches, exits, carried):
                 drums += 1
                 if other != row:
                     end = exits[other]
-        if abs(end - exits[row]) > drums:
+        reach, whole = 0, abs(end - exits[row])
+        while reach < whole:
+            j = exits[row] + reach if winches.step[row] > 0 else exits[row] - 1 - reach
+            if time[j] < math.inf:
+                drums = 1  # another drum lies beyond
+                break
+            reach += 1
+        if reach > drums:
             carried[working_segment(winches, exits, row)] = 0.0
 
 

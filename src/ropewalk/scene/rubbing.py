@@ -43,6 +43,25 @@ class RopePair(Model):
     friction: Number = coefficient("Coefficient of friction of the two, Coulomb's")
 
 
+def of_pieces(pairs: Sequence[Pair], name: str, pieces: Sequence[str]) -> list[Pair]:
+    """Return the pairs with an obstacle once a rope of that name is in pieces, which are as rough as it was."""
+    return [
+        pair.replace(rope=one)
+        for pair in pairs
+        for one in (pieces if pair.rope == name else [pair.rope])
+    ]
+
+
+def between_pieces(pairs: Sequence[RopePair], name: str, pieces: Sequence[str]) -> list[RopePair]:
+    """Return the pairs of ropes once one of that name is in pieces: each is as rough as the whole was."""
+    found: dict[frozenset[str], RopePair] = {}
+    for pair in pairs:
+        for one in pieces if pair.rope == name else [pair.rope]:
+            for other in pieces if pair.other == name else [pair.other]:
+                found[frozenset((one, other))] = pair.replace(rope=one, other=other)
+    return list(found.values())
+
+
 def pair_faults(
     obstacles: Sequence[Obstacle], contact: Contact | None, ropes: Sequence[Rope]
 ) -> Iterator[Fault]:
