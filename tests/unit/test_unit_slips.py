@@ -147,6 +147,15 @@ def test_a_wind_needs_something_to_blow_on(air: dict[str, float], blows: bool) -
     assert told == [] if blows else len(told) == 1
 
 
+def test_friction_needs_something_to_rub_on() -> None:
+    scene = preset("r2")
+    rough = scene.replace(ropes=[scene.ropes[0].replace(friction=0.5)])
+    told = [text for text in unit_slips(build(rough)) if "rubs on nothing" in text]
+    assert len(told) == 1
+    floor = rough.replace(obstacles=[Plane(point=(0, 0, -100))])
+    assert not any("rubs on nothing" in text for text in unit_slips(build(floor)))
+
+
 @pytest.mark.parametrize(
     ("diameter", "EA", "line"),
     [

@@ -8,9 +8,14 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from live.drive import do
 from ropewalk.live import edits
+from ropewalk.live.session import Session
 from ropewalk.lowering.layout import make_layout
+from ropewalk.plots.contact_forces import coils
 from ropewalk.scene import Contact, Points, RunSettings, SceneError, Straight
+from ropewalk.sheets.frictions import friction_on
+from ropewalk.statics import static_shape
 
 g = 9.81  # [m/s^2], as scenes have it
 SLOPE = math.radians(20.0)
@@ -126,15 +131,14 @@ def test_tables_of_contacts_tell_of_what_friction_can_carry_by_pair() -> None:
 
 def test_pieces_of_a_cut_rope_are_as_rough_as_it_was() -> None:
     """On an obstacle, on other ropes, and on each other."""
-    on_slope = on_a_slope("esdirk3")
-    made = edits.cut(on_slope, make_layout(on_slope), 13).scene  # the middle segment of "greased"
-    names = [rope.name for rope in made.ropes]
-    pieces = [rope for rope in made.ropes if rope.name.startswith("greased")]
-    assert len(pieces) == 2, names
-    assert [made.obstacles[0].friction_with(rope) for rope in pieces] == [0.0, 0.0]
+    session = Session(on_a_slope("esdirk3"))
+    assert do(session, "cut", segment=13) == ""  # the middle one of "greased"
+    pieces = [rope for rope in session.scene.ropes if rope.name.startswith("greased")]
+    assert len(pieces) == 2
+    assert [session.scene.obstacles[0].friction_with(rope) for rope in pieces] == [0.0, 0.0]
     own = {"rope": "plain", "other": "plain", "friction": 0.7}
     scene = bars({"rope": "rail0", "other": "plain", "friction": 0.3}, own)
-    long = scene.ropes[2].replace(segments=3, shape=Straight(start=(0, 0, 1), end=(0, 0.3, 1)))
+    long = scene.ropes[2].replace(segments=3)
     scene = scene.replace(ropes=[*scene.ropes[:2], long, scene.ropes[3]])
     made = edits.cut(scene, make_layout(scene), 5).scene
     assert made.contact is not None
@@ -149,7 +153,8 @@ def test_pieces_of_a_cut_rope_are_as_rough_as_it_was() -> None:
 def test_scenes_keep_pairs() -> None:
     scene = on_a_slope("esdirk3")
     assert rw.loads(rw.dumps(scene)) == scene
-    assert rw.loads(rw.dumps(bars({"rope": "plain", "other": "rough", "friction": 0.3}))).contact
+    other = bars({"rope": "plain", "other": "rough", "friction": 0.3})
+    assert rw.loads(rw.dumps(other)) == other
 
 
 @pytest.mark.parametrize(
@@ -173,3 +178,52 @@ def test_pairs_that_mean_nothing_are_refused(
     with pytest.raises(SceneError) as raised:
         rw.Scene.model_validate(parts)
     assert told in str(raised.value)
+
+
+def test_wraps_figures_and_sheets_tell_the_coefficient_of_the_pair() -> None:
+    """A bar of 0.1 under ropes of 0.1 and 0.3, and one whose pair has 0.5."""
+    own = {"length": 1.0, "diameter": 0.01, "made_of": rw.Material(EA=1e4, mass_per_length=0.1)}
+    angles, reach = np.linspace(0.0, math.pi, 9), 0.055
+    ropes = []
+    for k, (name, mu) in enumerate((("smooth", 0.0), ("rough", 0.3), ("tarred", 0.3))):
+        over = np.stack([reach * np.cos(angles), 0.0 * angles, reach * np.sin(angles)], axis=1)
+        chord = float(np.linalg.norm(over[1] - over[0]))
+        down = np.array([0.0, 0.0, -chord])
+        places = [*(over[0] + i * down for i in (4, 3, 2, 1)), *over,
+                  *(over[-1] + i * down for i in (1, 2, 3, 4))]  # fmt: skip
+        aside = np.array([0.0, 0.1 * k, 0.0])
+        points = [tuple(map(float, place + aside)) for place in places]
+        length = chord * (len(points) - 1)
+        rope = {**own, "name": name, "segments": len(points) - 1, "length": length}
+        ropes.append(rw.Rope(**rope, friction=mu, shape=Points(points=points)))
+    bar = {"kind": "cylinder", "name": "bar", "from": [0, -1, 0], "to": [0, 1, 0], "radius": 0.05,
+           "friction": 0.1, "pair": [{"rope": "tarred", "friction": 0.5}]}  # fmt: skip
+    run = RunSettings(duration=0.1, frame_rate=60.0, time_step=1.0 / 240.0, method="implicit-euler")
+    scene = rw.Scene(ropes=ropes, obstacles=[bar], run=run)
+    result = rw.simulate(scene)
+    expected = {"smooth": 0.1, "rough": 0.3, "tarred": 0.5}
+    assert {one.rope: one.friction for one in coils(result, result.frames - 1)} == expected
+    table = result.to_pandas("wraps")
+    for _, row in table.iterrows():
+        angle = row[next(name for name in table if name.startswith("angle"))]
+        slips = row[next(name for name in table if "at slip" in name)]
+        assert slips == pytest.approx(math.exp(expected[row["rope"]] * angle), rel=1e-9)
+    assert set(table["rope"]) == set(expected)
+    rested = static_shape(rw.Simulation(scene).model, strict=False)
+    assert {one.rope: one.friction for one in rested.wraps} == expected
+    words = friction_on(scene.obstacles[0], scene.ropes)
+    assert words == (
+        "coefficients of friction of 0.1 (rope 'smooth'), 0.3 (rope 'rough') and 0.5 (rope 'tarred')"
+    )
+
+
+def test_contacts_of_ropes_tell_what_friction_can_carry_by_pair() -> None:
+    result = rw.simulate(bars())
+    table = result.to_pandas("rope_contacts")
+    last = table[table["time [s]"] == table["time [s]"].max()]
+    for name, mu in (("plain", 0.1), ("rough", 0.5)):
+        rows = last[(last["rope"] == name) | (last["other rope"] == name)]
+        assert len(rows) == 2
+        found = rows["friction force [N]"] / (mu * rows["normal force [N]"])
+        assert rows["friction used [1]"].to_numpy() == pytest.approx(found.to_numpy(), rel=1e-9)
+    assert {round(mu, 9) for mu in np.unique(bars().contact.frictions(bars().ropes))} == {0.1, 0.5}

@@ -12,9 +12,13 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.analysis.strains import parting_warnings
+from ropewalk.cli.commands.run import _tell_of_partings
+from ropewalk.laws.pairs.table import CONTACTS, NEAR
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.parted import Parting
 from ropewalk.record.simulate import simulate_in_memory
-from ropewalk.scene import Kick, Straight
+from ropewalk.scene import Kick, SceneError, Straight
+from verification.feature_pairs import scene_of
 
 K, M, G, SPEED, LOAD = 4000.0, 2.0, 9.81, 1.0, 80.0  # N/m, kg, m/s^2, m/s, N
 OMEGA = math.sqrt(K / M)
@@ -311,3 +315,49 @@ def test_a_winch_stops_where_its_rope_has_parted(more: dict[str, float]) -> None
     after = result.time > parting.time
     assert np.ptp(result.rest_length[after].sum(axis=1)) == 0.0
     assert np.ptp(result.rest_length[~after].sum(axis=1)) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"breaking_load": None}, "needs a load at which it parts: give breaking_load"),
+        ({"breaking_load": -1.0}, "breaking_load"),
+        ({"parts": "maybe"}, "parts"),
+    ],
+)
+def test_bad_input_is_refused_by_name(changes: dict[str, Any], words: str) -> None:
+    with pytest.raises(SceneError, match=words):
+        string(**changes)
+
+
+def test_springs_of_no_length_do_not_part() -> None:
+    made_of = rw.Springs(
+        spring_constant=1.0, node_mass=1.0, segment_length=0.0, parts=True, breaking_load=1.0
+    )
+    with pytest.raises(SceneError, match="needs springs of a length"):
+        rw.Rope(segments=2, made_of=made_of)
+
+
+def test_no_more_than_three_partings_are_told_one_by_one(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    _tell_of_partings(tuple(Parting(0.1, "one", segment, 5.0) for segment in range(40)))
+    told = capsys.readouterr().err
+    assert told.count("a rope parted: segment") == 3
+    assert "and 37 more segments parted" in told
+
+
+def test_what_has_parted_is_not_touched() -> None:
+    """Segments that part go from the contacts of ropes; their neighbours stay."""
+    simulation = rw.Simulation(scene_of("implicit-euler", "contact", "parting", implicit=True))
+    table, memory = simulation.system.node.contact, simulation.arrays.memory.contact
+    whole = memory.rope.copy()
+    assert (whole == table.rope).all()
+    simulation.advance_steps(20)
+    memory = simulation.arrays.memory.contact
+    parted = (simulation.arrays.stiffness == 0.0) & (table.rope >= 0)
+    assert parted.any()
+    assert not parted.all()
+    assert ((memory.rope < 0) == (parted | (whole < 0))).all()
+    assert not parted[memory.pair[: memory.tally[CONTACTS]]].any()
+    assert not parted[memory.near[: memory.tally[NEAR]]].any()

@@ -39,52 +39,6 @@ def test_what_is_all_that_is_left_off_a_drum_parts(method: str, speed: float, dr
     )
 
 
-@pytest.mark.parametrize(
-    ("changes", "words"),
-    [
-        ({"breaking_load": None}, "needs a load at which it parts: give breaking_load"),
-        ({"breaking_load": -1.0}, "breaking_load"),
-        ({"parts": "maybe"}, "parts"),
-    ],
-)
-def test_bad_input_is_refused_by_name(changes: dict[str, Any], words: str) -> None:
-    with pytest.raises(SceneError, match=words):
-        string(**changes)
-
-
-def test_springs_of_no_length_do_not_part() -> None:
-    made_of = rw.Springs(
-        spring_constant=1.0, node_mass=1.0, segment_length=0.0, parts=True, breaking_load=1.0
-    )
-    with pytest.raises(SceneError, match="needs springs of a length"):
-        rw.Rope(segments=2, made_of=made_of)
-
-
-def test_no_more_than_three_partings_are_told_one_by_one(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
-    _tell_of_partings(tuple(Parting(0.1, "one", segment, 5.0) for segment in range(40)))
-    told = capsys.readouterr().err
-    assert told.count("a rope parted: segment") == 3
-    assert "and 37 more segments parted" in told
-
-
-def test_what_has_parted_is_not_touched() -> None:
-    """Segments that part go from the contacts of ropes; their neighbours stay."""
-    simulation = rw.Simulation(scene_of("implicit-euler", "contact", "parting", implicit=True))
-    table, memory = simulation.system.node.contact, simulation.arrays.memory.contact
-    whole = memory.rope.copy()
-    assert (whole == table.rope).all()
-    simulation.advance_steps(20)
-    memory = simulation.arrays.memory.contact
-    parted = (simulation.arrays.stiffness == 0.0) & (table.rope >= 0)
-    assert parted.any()
-    assert not parted.all()
-    assert ((memory.rope < 0) == (parted | (whole < 0))).all()
-    assert not parted[memory.pair[: memory.tally[CONTACTS]]].any()
-    assert not parted[memory.near[: memory.tally[NEAR]]].any()
-
-
 @pytest.mark.parametrize("method", ["semi-implicit-euler", "esdirk3"])
 def test_a_stub_between_a_drum_and_a_break_parts(method: str) -> None:
     """Two segments, 20 kg between them: the far one is pulled apart, then the one at the drum bears it all.

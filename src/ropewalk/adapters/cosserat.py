@@ -130,6 +130,7 @@ def _rope(rod: Rod, name: str, n_elements: int) -> of_scene.Rope:
         segments=n_elements,
         length=rod.length,
         diameter=2.0 * rod.radius,
+        friction=rod.friction,
         made_of=made_of,
         shape=of_scene.Points(points=places),
         forces=[of_scene.Force(node=ends[one.at], force=one.force) for one in rod.loads],
@@ -169,7 +170,7 @@ def _contact(scenario: Scenario) -> rw.Contact | None:
     folds = scenario.self_contact and any(isinstance(one, Plane) for one in scenario.obstacles)
     if len(scenario.rods) == 1 and not folds:
         return None
-    return rw.Contact(friction=max(rod.friction for rod in scenario.rods))
+    return rw.Contact(friction=0.0)  # each rod has its own, of which the larger holds
 
 
 def _method(scenario: Scenario) -> Literal["esdirk3", "implicit-euler"]:

@@ -46,7 +46,8 @@ _FAR_OFF = 100.0  # initial length over unstretched length, or the reverse
 def unit_slips(model: Model) -> list[str]:
     """Return one sentence for every number of a scene that looks like a slip of units."""
     scene = model.scene
-    found = _gravity(scene) + _run(scene) + _speeds(model) + _frictions(scene) + _wind(scene)
+    found = _gravity(scene) + _run(scene) + _speeds(model) + _frictions(scene)
+    found += _wind(scene) + _idle_friction(scene)
     for i, rope in enumerate(scene.ropes):
         path = f"rope[{i}]"
         found += _line(path, rope) + _section(path, rope, scene) + _size(path, rope, model)
@@ -138,6 +139,17 @@ def _wind(scene: Scene) -> list[str]:
         return []
     return [
         "air.wind: blows on nothing without a drag; give air.density (1.2 kg/m^3 at sea level), or node_drag"
+    ]
+
+
+def _idle_friction(scene: Scene) -> list[str]:
+    """Frictions of ropes that touch nothing with Coulomb's."""
+    if scene.obstacles or scene.contact is not None:
+        return []
+    return [
+        f"rope[{i}].friction: rubs on nothing; it is for [[obstacle]] and [contact] (the ground has its own)"
+        for i, rope in enumerate(scene.ropes)
+        if rope.friction > 0.0
     ]
 
 

@@ -79,9 +79,8 @@ def _frictions(scene: Scene, first: Iterable[str], second: Iterable[str]) -> Flo
     if scene.contact is None:
         return np.zeros(len(list(first)))
     place = {rope.name: number for number, rope in enumerate(scene.ropes)}
-    one, other = ([place[name] for name in side] for side in (first, second))
-    found: Floats = scene.contact.frictions(scene.ropes)[one, other]
-    return found
+    one, other = (np.array([place[name] for name in side], np.int64) for side in (first, second))
+    return scene.contact.frictions_of(scene.ropes, one, other)
 
 
 def _points(values: Floats, segments: Ints, at: Floats) -> Floats:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.scene.base import Many, Model, Number, listed, positive
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope
@@ -36,15 +36,22 @@ class Contact(Model):
         default=None,
     )
 
-    def frictions(self, ropes: Sequence[Rope]) -> Floats:
-        """Return the coefficients of friction of r ropes on each other and on themselves, (r, r) [1]."""
+    def frictions_of(self, ropes: Sequence[Rope], one: Ints, other: Ints) -> Floats:
+        """Return the coefficients of friction of c pairs of ropes, by their numbers (c,) each [1]."""
         own = np.array([rope.friction for rope in ropes])
-        found: Floats = np.maximum(self.friction, np.maximum(own[:, None], own))
+        found: Floats = np.maximum(self.friction, np.maximum(own[one], own[other]))
         names = {rope.name: number for number, rope in enumerate(ropes)}
         for pair in self.pairs:
-            one, other = names[pair.rope], names[pair.other]
-            found[one, other] = found[other, one] = pair.friction
+            first, second = names[pair.rope], names[pair.other]
+            found[((one == first) & (other == second)) | ((one == second) & (other == first))] = (
+                pair.friction
+            )
         return found
+
+    def frictions(self, ropes: Sequence[Rope]) -> Floats:
+        """Return the coefficients of friction of r ropes on each other and on themselves, (r, r) [1]."""
+        every = np.indices((len(ropes), len(ropes)))
+        return self.frictions_of(ropes, every[0], every[1])
 
 
 def contact_faults(contact: Contact | None, ropes: Sequence[Rope]) -> list[Fault]:

@@ -44,7 +44,7 @@ class RopePair(Model):
 
 
 def of_pieces(pairs: Sequence[Pair], name: str, pieces: Sequence[str]) -> list[Pair]:
-    """Return the pairs with an obstacle once a rope of that name is in pieces, which are as rough as it was."""
+    """Return the pairs with an obstacle once a rope of that name is in pieces: each is as rough as it was."""
     return [
         pair.replace(rope=one)
         for pair in pairs

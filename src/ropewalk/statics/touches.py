@@ -140,8 +140,8 @@ def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touc
     friction = table.friction[table.rope[pair[:, 0]], table.rope[pair[:, 1]]]
     push, normal = grip[:, PUSH], grip[:, NORMAL : NORMAL + 3]
     rub = np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
-    for here in _clusters(pair):
-        mu = float(friction[here].max())
+    for here in _clusters(pair, table.rope[pair]):
+        mu = float(friction[here[0]])
         use = float((rub[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
         pressed = push[here, None] * normal[here]
         one = _strand(model, x, tension, pair[here, 0], pressed, mu)
@@ -150,15 +150,19 @@ def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touc
     return tuple(found)
 
 
-def _clusters(pair: Ints) -> Iterator[Ints]:
-    """Yield the rows of pairs of segments, (c, 2), that are beside each other on both ropes."""
+def _clusters(pair: Ints, rope: Ints) -> Iterator[Ints]:
+    """Yield the rows of pairs of segments, (c, 2), that are beside each other on both ropes, (c, 2)."""
     left = list(range(len(pair)))
     while left:
         found, fresh = [], [left.pop(0)]
         while fresh:
             row = fresh.pop()
             found.append(row)
-            beside = [k for k in left if np.abs(pair[k] - pair[row]).max() <= 2]
+            beside = [
+                k
+                for k in left
+                if np.abs(pair[k] - pair[row]).max() <= 2 and (rope[k] == rope[row]).all()
+            ]
             left = [k for k in left if k not in beside]
             fresh += beside
         yield np.array(sorted(found))

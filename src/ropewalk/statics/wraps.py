@@ -104,7 +104,14 @@ def sliding_words(lie: tuple[Wrap, ...]) -> str:
     full = [wrap for wrap in lie if wrap.use >= SLIPS or wrap.friction == 0.0]
     if not full:
         return ""
-    rubs = {f"{wrap.obstacle!r} (friction {wrap.friction:g})" for wrap in full}
+    own = {(wrap.obstacle, wrap.friction) for wrap in full}
+    several = {name for name, _ in own if sum(other == name for other, _ in own) > 1}
+    rubs = {
+        f"{wrap.obstacle!r} ("
+        + (f"rope {wrap.rope!r}, " if wrap.obstacle in several else "")
+        + f"friction {wrap.friction:g})"
+        for wrap in full
+    }
     names = ", ".join(sorted(rubs))
     slope = min(math.degrees(math.atan(wrap.friction)) for wrap in full)
     which = " with the least of them" if len(rubs) > 1 else ""
