@@ -57,6 +57,10 @@ def _winch(parts: Parts) -> None:
     parts["scene"]["winches"] = [Winch(rope="one", end="start", speed=0.1)]
 
 
+def _hauling(parts: Parts) -> None:
+    parts["scene"]["winches"] = [Winch(rope="one", end="start", speed=-0.5)]
+
+
 def _limiter(parts: Parts) -> None:
     parts["scene"]["limiter"] = Limiter(max_stretch=1.0001)
 
@@ -173,6 +177,7 @@ MORE: dict[str, Callable[[Parts], None]] = {
     "turning obstacle": _turning,
     "curvature": _curvature,
     "springs": _springs,
+    "hauling winch": _hauling,
 }
 FEATURES: dict[str, Callable[[Parts], None]] = {
     "rigid links": _rigid,
