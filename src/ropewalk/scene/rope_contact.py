@@ -37,7 +37,13 @@ class Contact(Model):
     )
 
     def frictions_of(self, ropes: Sequence[Rope], one: Ints, other: Ints) -> Floats:
-        """Return the coefficients of friction of c pairs of ropes, by their numbers (c,) each [1]."""
+        """Return the coefficients of friction of c pairs of ropes [1], (c,).
+
+        Args:
+            ropes: those of the scene.
+            one: numbers of the first ropes among them, (c,).
+            other: numbers of the second ones, (c,).
+        """
         own = np.array([rope.friction for rope in ropes])
         found: Floats = np.maximum(self.friction, np.maximum(own[one], own[other]))
         names = {rope.name: number for number, rope in enumerate(ropes)}
