@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 
 from live.drive import do, slack_rope
+from ropewalk.laws.obstacle_rows import axle_of, hub_of, place_of, turned_by
 from ropewalk.live.as_it_stands import Standing
 from ropewalk.live.session import Session
-from ropewalk.scene import Anchor, Scene, dumps, loads
+from ropewalk.scene import Anchor, Scene, Slide, Straight, dumps, loads
 from ropewalk.scene.motions import Orbit, Shake, Table, Velocity
 
 FOR = 0.05  # s
@@ -44,6 +47,16 @@ name = "led"
 kind = "sphere"
 center = [0, 0, -95]
 radius = 0.1
+"""
+BOX = """
+[[obstacle]]
+name = "box"
+kind = "box"
+center = [0, 0, -70]
+half_sizes = [0.6, 0.3, 0.1]
+edge_radius = 0.02
+spin = {}
+{}
 """
 
 
@@ -134,3 +147,136 @@ def test_bodies_go_on_where_they_are() -> None:
             assert other.angle == pytest.approx(body.angle, abs=1e-9), name
     places = [one.position for one in session.main.simulation.obstacles.values()]
     assert np.isfinite(places).all()
+
+
+def trolley(at: float) -> Scene:
+    """Return a line along which a trolley with a load runs down, from a place [m] of it."""
+    scene: Scene = slack_rope(10)
+    [line] = scene.ropes
+    hung = line.replace(
+        name="hung", segments=2, length=1.0, shape=Straight(start=(at, 0, 0), end=(at, 0, -1))
+    )
+    slide = Slide(name="trolley", rope="hung", node=0, on="line", at=at)
+    return scene.replace(
+        ropes=[line.replace(name="line", shape=Straight(start=(0, 0, 0), end=(8, 0, -6))), hung],
+        anchors=[one.replace(rope="line") for one in scene.anchors],
+        slides=[slide],
+    )
+
+
+def test_a_trolley_goes_on_where_it_is() -> None:
+    """It was back where it began, its rope with it."""
+    session = Session(trolley(2.0))
+    do(session, "kick", node=11, velocity=[8.0, 0.0, -6.0])
+    steps(session, 0.1)
+    first = session.main.simulation.positions[11]
+    begun = Session(trolley(2.0)).main.simulation.positions[11]
+    again = exported(session)
+    assert np.linalg.norm(first - begun) > 0.3
+    line = session.scene.ropes[0]
+    assert again.main.simulation.positions[11] == pytest.approx(
+        first, abs=0.05 * line.segment_length
+    )
+
+
+@pytest.mark.parametrize("stop", [0.08, 0.6, 3.0])
+def test_a_body_turns_on_at_its_rate(stop: float) -> None:
+    """One that stopped within a second took all of it for what was left."""
+    session = Session(
+        loads(dumps(slack_rope(4)) + BOX.format(f"{{ rate = 2.0, stop = {stop} }}", ""))
+    )
+    steps(session, FOR)
+    again = exported(session)
+    for _ in range(3):
+        first, other = (one.main.simulation.obstacles["box"] for one in (session, again))
+        assert other.angle == pytest.approx(first.angle, abs=1e-9)
+        assert other.rate == pytest.approx(first.rate, abs=1e-9)
+        for one in (session, again):
+            steps(one, 0.02)
+
+
+@pytest.mark.parametrize(
+    ("motion", "taken"),
+    [
+        ("velocity = [1, 0, 0]", {"angle": 0.1}),
+        ("axis = [1, 0, 0], amplitude = 0.2, frequency = 2", {"angle": 0.1}),
+        ("velocity = [1, 0, 0]", {"target": (0.1, 0.0, -70.0)}),
+    ],
+)
+def test_of_a_body_that_a_hand_has_taken_the_rest_goes_on(
+    motion: str, taken: dict[str, Any]
+) -> None:
+    """What the hand had not changed began anew, and one that it had turned had lost its pivot."""
+    kind = "velocity" if "velocity" in motion else "shake"
+    spin = "{ rate = 2.0, pivot = [0.5, 0, -70] }"
+    text = BOX.format(spin, f'motion = {{ kind = "{kind}", {motion} }}')
+    session = Session(loads(dumps(slack_rope(4)) + text))
+    steps(session, FOR)
+    do(session, "obstacle", obstacle="box", pace=0.1, **taken)
+    steps(session, FOR)
+    again = exported(session)
+    apart = [hub_of(one) - place_of(one)[0] for one in again.scene.obstacles]
+    assert apart == [pytest.approx([0.5, 0.0, 0.0], abs=1e-12)]
+    for _ in range(2):
+        first, other = (one.main.simulation.obstacles["box"] for one in (session, again))
+        assert other.position == pytest.approx(first.position, abs=1e-9)
+        assert other.angle == pytest.approx(first.angle, abs=1e-9)
+        for one in (session, again):
+            steps(one, FOR)
+
+
+FREE = """
+[[obstacle]]
+name = "box"
+kind = "box"
+center = [0, 0, -70]
+half_sizes = [0.6, 0.3, 0.1]
+edge_radius = 0.02
+axis = [0, 1, 1]
+rotation = [0.3, 0, 0.2]
+motion = { kind = "velocity", velocity = [1, 0, 0] }
+spin = { free = true, inertia = 2, rate = 3, pivot = [0.5, 0, -70] }
+[[obstacle]]
+name = "arm"
+kind = "capsule"
+from = [0, 0, -80]
+to = [1, 0, -80]
+radius = 0.1
+spin = { free = true, inertia = 2, rate = 3, pivot = [0.2, 0, -80], axis = [0, 1, 0], mass = 1 }
+[[obstacle]]
+name = "wheel"
+kind = "cylinder"
+from = [0, -1, -90]
+to = [0, 1, -90]
+radius = 0.2
+spin = { free = true, inertia = 2, rate = 3, mass = 1, center_of_mass = [0.1, 0, -90] }
+"""
+
+
+def marks(session: Session) -> list[np.ndarray[Any, Any]]:
+    """Return where three points of each body are now, and its centre of mass [m]."""
+    found = []
+    for body, handle in zip(
+        session.scene.obstacles, session.main.simulation.obstacles.values(), strict=True
+    ):
+        place, hub, reach = np.array(place_of(body)[0]), hub_of(body), np.eye(3)
+        along = np.subtract(body.end, body.start) if body.kind != "box" else None
+        reach = turned_by(body.rotation, reach) if along is None else along[None]
+        mass = body.spin.center_of_mass or place
+        points = np.vstack([place, place + reach, mass]) - hub
+        moved = handle.position - place
+        found.append(turned_by(handle.angle * axle_of(body), points) + hub + moved)
+    return found
+
+
+def test_what_turns_freely_goes_on_as_it_stands() -> None:
+    """It began unturned: a beam that lay aslant was upright."""
+    session = Session(loads(dumps(slack_rope(4)) + FREE))
+    steps(session, 0.2)
+    again = exported(session)
+    assert all(one.angle > 0.5 for one in session.main.simulation.obstacles.values())
+    for _ in range(2):
+        for first, other in zip(marks(session), marks(again), strict=True):
+            assert other == pytest.approx(first, abs=1e-6)
+        for one in (session, again):
+            steps(one, FOR)

@@ -198,3 +198,26 @@ def test_a_copy_stays_what_its_label_says(own: tuple[str, Any], change: tuple[st
     assert PARAMETERS[own[0]].get(copy, 0) == pytest.approx(own[1])
     do(session, "set", name="gravity", value=[0.0, -1.0, 0.0])
     assert [track.scene.gravity[1] for track in session.tracks] == [-1.0, -1.0]
+
+
+@pytest.mark.parametrize(
+    ("own", "change"),
+    [
+        ({"mass": 4.0}, ("gravity", [0.0, 0.0, -5.0])),
+        ({"length": 11.0}, ("gravity", [0.0, 0.0, -5.0])),
+        ({"segments": 20}, ("gravity", [0.0, 0.0, -5.0])),
+        ({"mass": 4.0}, ("length", 6.0)),
+    ],
+)
+def test_pieces_of_a_copy_keep_their_own_part(own: dict[str, Any], change: tuple[str, Any]) -> None:
+    """Each got the label's value, which is that of the whole rope: 4 kg were 8.4 kg."""
+    session = Session(slack_rope(10))
+    do(session, "compare", variants=[{"changes": own}])
+    do(session, "cut", segment=4)
+    name = next(iter(own))
+    copy = session.tracks[1]
+    before = [PARAMETERS[name].get(copy.scene, i) for i in range(2)]
+    do(session, "set", name=change[0], value=change[1])
+    after = [PARAMETERS[name].get(copy.scene, i) for i in range(2)]
+    assert after == pytest.approx(before, rel=1e-9)
+    assert PARAMETERS[change[0]].get(copy.scene, 0) == pytest.approx(change[1])

@@ -9,6 +9,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.laws.slides.table import HIGH, LOW, PLACE
+from ropewalk.live.as_it_stands import Standing
 from ropewalk.live.carry import carry_over
 from ropewalk.live.commands import Load
 from ropewalk.live.edits import same_nodes
@@ -30,6 +31,7 @@ def test_a_line_that_parts_stays_one_rope_with_a_gap_and_edits_keep_what_ran_off
     assert track.simulation.arrays.memory.slide.off[0] == off
     session.advance(100)
     assert np.isfinite(track.simulation.positions).all()
+    assert Standing.of(session).scene().slides == ()  # it was on its line again
 
 
 def test_a_wound_line_is_carried_over_an_edit() -> None:

@@ -113,3 +113,22 @@ def test_the_largest_energy_error_of_a_part_is_its_own(tmp_path: Path, method: s
     errors = [np.abs(Result.open(one).energy_errors).max() for one in parts(tmp_path / "run")]
     assert len(errors) == 3
     assert max(errors[1:]) < 0.01 * lost
+
+
+@pytest.mark.parametrize("frames", [1, 4])
+def test_after_an_undone_reset_energies_go_on_from_before_it(tmp_path: Path, frames: int) -> None:
+    """They went on from the part that the reset had begun."""
+    session = swinging()
+    keeper = Keeper(session, tmp_path / "run")
+    for word, count in (("pin", 6), ("reset", 6), ("undo", frames)):
+        session.advance(count * session.frame_steps)
+        do(session, word, **({"node": 1} if word == "pin" else {}))
+    shown = picture(session.main).scalars
+    session.advance(session.frame_steps)
+    keeper.close()
+    broadcast = ReplayBroadcast(tmp_path / "run", playing=False)
+    assert len(broadcast.parts) == 4
+    second, last = broadcast.parts[1], broadcast.parts[3]
+    told, before = last.picture(0).scalars, second.picture(second.frames - 1).scalars
+    assert told["gravity"] == pytest.approx(shown["gravity"], rel=1e-9)
+    assert told["energy_error"] == pytest.approx(before["energy_error"], rel=1e-9)

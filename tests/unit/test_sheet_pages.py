@@ -65,3 +65,18 @@ def test_a_scene_on_paper_is_the_scene_yet(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.setattr(listed, "wrap", seen)
     pdf_pages("title", "lead", [Section("again", (Listing(text),))])
     assert tomllib.loads("\n".join(shown)) == tomllib.loads(text)
+
+
+def test_arrays_of_texts_are_broken_after_their_commas() -> None:
+    """A line with texts in an array was cut anywhere."""
+    names = ", ".join(f'"part {k}, {{of}} [many]"' for k in range(20))
+    places = ", ".join(f"[0.0, 0.0, {k}.5]" for k in range(20))
+    table = f'motion = {{ kind = "table", positions = [{places}] }}'
+    text = "\n".join((f"keep = [{names}]", table, ""))
+    broken, said = on_paper(text, 100)
+    assert tomllib.loads(broken) == tomllib.loads(text)
+    assert max(map(len, broken.split("\n"))) <= 100
+    assert "the scene is the same" in said
+    many = "{ " + ", ".join(f"key{k} = {k}" for k in range(30)) + " }"
+    kept = f"at = {many}\n"
+    assert on_paper(kept, 100)[0] == kept

@@ -12,6 +12,7 @@ import numpy as np
 from ropewalk.live.bodies import Spot, spots, ways_of, with_ways
 from ropewalk.live.frozen import Frozen
 from ropewalk.live.session import Session
+from ropewalk.live.turned import PLACES, turned
 from ropewalk.motions.kind import ORIGIN
 from ropewalk.scene import Anchor, Hand, Scene
 from ropewalk.scene.motions import Fixed
@@ -20,7 +21,6 @@ from ropewalk.scene.spin import Spin, Tumbling
 
 Triple = tuple[float, float, float]
 _EVER = 1e6  # [s] for which a body that never stops is told to turn
-_PLACES = ("center", "point", "start", "end", "position")  # of a body that moves, whichever it has
 
 
 @dataclass(frozen=True)
@@ -39,6 +39,7 @@ class Standing:
     frozen: Frozen
     time: float  # [s]
     gone: frozenset[str]  # anchors that have let go
+    off: frozenset[str]  # slides that have run off their ropes
     led: frozenset[str]  # anchors that hands have moved
     clamps: Mapping[str, Triple]  # directions of the clamps
     spots: Mapping[str, Spot]  # of bodies that hands have moved
@@ -47,7 +48,8 @@ class Standing:
     @classmethod
     def of(cls, session: Session) -> Standing:
         """Take the first variant of a session."""
-        simulation = session.main.simulation
+        track = session.main
+        simulation = track.simulation
         state, names = simulation.arrays, simulation.layout.anchor_names
         kinds, own = simulation.state.motion_kinds, simulation.model.system.anchors.kind
         clamped = zip(names, state.clamp_direction, strict=False)
@@ -64,6 +66,11 @@ class Standing:
             Frozen.of(session),
             simulation.time,
             frozenset(one for one, held in zip(names, state.held, strict=True) if not held),
+            frozenset(
+                slide.name
+                for slide, since in zip(track.scene.slides, state.memory.slide.off, strict=True)
+                if np.isfinite(since)
+            ),
             frozenset(one for one, a, b in zip(names, kinds, own, strict=True) if a != b),
             {name: _triple(direction) for name, direction in clamped},
             spots(simulation),
@@ -77,7 +84,9 @@ class Standing:
             return made
         anchors = [self._anchor(one) for one in made.anchors if one.name not in self.gone]
         bodies = [self._body(name_of(one, row), one) for row, one in enumerate(made.obstacles)]
-        made = made.replace(anchors=anchors, obstacles=bodies)
+        # A slide begins where its node is drawn now, not where it began.
+        slides = [one.replace(at=None) for one in made.slides if one.name not in self.off]
+        made = made.replace(anchors=anchors, obstacles=bodies, slides=slides)
         return with_ways(made, ways_of(self.spots))
 
     def _anchor(self, anchor: Anchor) -> Anchor:
@@ -92,19 +101,23 @@ class Standing:
         return anchor.replace(**changes)
 
     def _body(self, name: str, body: Any) -> Any:
-        if name in self.spots:
-            return body  # its way is told
+        # What hands have taken is told by its way.
+        moved, by_hand = self.spots[name].taken if name in self.spots else (False, False)
         now, changes = self.bodies[name], dict[str, Any]()
-        away = now.moved if body.motion.kind in ("velocity", "shake", "orbit") else (0.0, 0.0, 0.0)
-        if body.motion.kind != "fixed":
+        shifts = not moved and body.motion.kind in ("velocity", "shake", "orbit")
+        away = now.moved if shifts else (0.0, 0.0, 0.0)
+        if body.motion.kind != "fixed" and not moved:
             changes = {
-                one: _plus(place, away) for one in _PLACES if (place := getattr(body, one, None))
+                one: _plus(place, away) for one in PLACES if (place := getattr(body, one, None))
             }
             changes["motion"] = later(body.motion, self.time)
         spin = getattr(body, "spin", None)
-        if spin is not None:
+        if by_hand and spin is not None and spin.pivot is not None:
+            changes["spin"] = spin.replace(pivot=_plus(spin.pivot, away))
+        elif spin is not None and not by_hand:
             changes["spin"] = self._spin(body, spin, now, away)
-        return body.replace(**changes)
+        body = body.replace(**changes)
+        return turned(body, now.angle) if spin is not None and spin.free else body
 
     def _spin(self, body: Any, spin: Spin, now: Turned, away: Triple) -> Spin | None:
         parts = ("pivot", "center_of_mass")
@@ -121,7 +134,7 @@ class Standing:
         ):  # it looks the same at every angle
             return spin.replace(**left, **moved) if left["stop"] > 0.0 else None
         end = min(left["stop"], left["start"] + _EVER)
-        times = [left["start"], max(end, left["start"] + 1.0)]
+        times = [left["start"], end if end > left["start"] else left["start"] + 1.0]
         angles = [now.angle, now.angle + (spin.rate or 0.0) * (end - left["start"])]
         return Spin(times=times, angles=angles, axis=spin.axis, **moved)
 

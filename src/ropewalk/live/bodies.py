@@ -107,7 +107,11 @@ class Way:
             motion = Table(times=times, positions=[one.place for one in corners])
             body = body.replace(motion=motion)
         if turned:
-            body = body.replace(spin=Spin(times=times, angles=[one.angle for one in corners]))
+            angles, spin = [one.angle for one in corners], getattr(body, "spin", None)
+            own = {
+                one: v for one in ("pivot", "axis") if (v := getattr(spin, one, None)) is not None
+            }
+            body = body.replace(spin=Spin(times=times, angles=angles, **own))
         return body
 
 

@@ -38,10 +38,10 @@ class ReplayBroadcast:
         for part in self.parts[:-1]:
             part.past = None  # it was gone on from
         for number, part in enumerate(self.parts):
-            for before in reversed(self.parts[: number if part.time[0] > 0.0 else 0]):
-                if before.time[0] <= part.time[0]:
-                    part.follow(before)
-                    break
+            begun = [one for one in self.parts[:number] if one.time[0] <= part.time[0]]
+            known = [one for one in begun if part.time[0] <= _latest(one)] or begun
+            if known and part.time[0] > 0.0:
+                part.follow(known[-1])
         self.first = np.cumsum([0, *(part.frames for part in self.parts)])
         self.times = _timeline(self.parts)
         self.duration = float(self.times[-1])
@@ -176,6 +176,12 @@ class ReplayBroadcast:
         if part != len(self.parts) - 1 or self.sound == len(self.times):
             return None
         return {"time": self.broke_at, "text": self.parts[part].result.diagnosis}
+
+
+def _latest(part: Recorded) -> float:
+    """Return the latest time [s] at which another part may go on from one: its next frame's."""
+    last = part.time[-2:]
+    return float(last[-1] + max(last[-1] - last[0], part.result.plan.frame_interval)) + 1e-9
 
 
 def _timeline(parts: list[Recorded]) -> Floats:

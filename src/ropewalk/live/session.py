@@ -271,7 +271,7 @@ class Session:
                 for one, its in wanted:
                     track.set(name, its, one)
                 if variant is None:
-                    track.keep_changes()
+                    track.keep_changes(before)
                 elif number > 0:
                     track.changes.pop(name, None)
                     if rope is None and all(same(its, wanted[0][1]) for _, its in wanted):

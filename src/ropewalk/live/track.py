@@ -199,12 +199,17 @@ class Track:
             name in group for one in self.changes for group in (*ALIKE, {one}) if one in group
         )
 
-    def keep_changes(self) -> None:
-        """Set what this variant differs in anew where a change of all has changed that, too."""
+    def keep_changes(self, before: Scene) -> None:
+        """Set what this variant differs in as it was before a change of all that has changed that, too.
+
+        A piece of a cut rope keeps its own part of it.
+        """
         for name, value in self.changes.items():
-            values = [named(name).get(self.scene, i) for i in named(name).ropes(self.scene, None)]
-            if value != "auto" and not all(same(one, value) for one in values):
-                self.set(name, value)
+            one = named(name)
+            for i in one.ropes(before, None) if value != "auto" else ():
+                was = one.get(before, i)
+                if not same(was, one.get(self.scene, i)):
+                    self.set(name, was, before.ropes[i].name if one.per_rope else None)
 
     def _floor(self) -> float:
         """Where a new ground may lie without pushing [m]: at zero, or a little below the rope."""

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
-import textwrap
 import tomllib
+from collections.abc import Iterator
 
 _TEXT = re.compile(r'(?P<key>(?:[^"=]+ = )?\s*)"(?P<text>(?:[^"\\]|\\.)*)"(?P<end>,?)')
+_MARK = re.compile(r'"(?:[^"\\]|\\.)*"|[\[\]{}]|, ')  # a text, a bracket, a comma
 _SAME = "Long lines are broken as TOML allows: the scene is the same, the SHA-256 that without the breaks."
 _OTHER = (
     "Long lines are broken for paper: copied from here this is not the scene. "
@@ -43,8 +44,24 @@ def _broken(line: str, width: int) -> str:
                 row = indent
             row += word
         return "\n".join([*rows, f'{row}"""{quoted["end"]}'])
-    if '"' in line:
-        return line
-    return textwrap.fill(
-        line, width, subsequent_indent=indent, break_long_words=False, drop_whitespace=True
-    )
+    rows, row = [], ""
+    for piece in _pieces(line):
+        if row.strip() and len(row) + len(piece.rstrip()) > width:
+            rows.append(row.rstrip())
+            row = indent
+        row += piece
+    return "\n".join([*rows, row])
+
+
+def _pieces(line: str) -> Iterator[str]:
+    """Yield the pieces between which a line may be broken: after commas of arrays, not of texts or tables."""
+    inside, start = "", 0
+    for found in _MARK.finditer(line):
+        if found[0] in "[{":
+            inside += found[0]
+        elif found[0] in "]}":
+            inside = inside[:-1]
+        elif found[0] == ", " and not inside.endswith("{"):
+            yield line[start : found.end()]
+            start = found.end()
+    yield line[start:]
