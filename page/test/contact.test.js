@@ -93,7 +93,8 @@ test("a damper takes hold as far off as it must, however hard the hit", () => {
       axial: Array(n - 1).fill(0), slack: Array(n - 1).fill(false), ropes: [[0, n - 1]],
       posts: [post({ kind: "plane", axis: [0, 0, 1] })],
       lines: [{
-        first: 0, last: n - 1, own: 0.005, whole: 1.535, diameter: 0.01, thickness: 0.005, segment: 0.1, loads: [[3, 1.5]],
+        first: 0, last: n - 1, own: 0.005, whole: 1.535, diameter: 0.01, thickness: 0.005,
+        segment: 0.1, loads: [[3, 1.5]],
       }],
     }); // prettier-ignore
     return new Rope(scene);
