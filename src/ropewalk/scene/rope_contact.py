@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Ints
 from ropewalk.scene.base import Many, Model, Number, listed, positive
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope
 from ropewalk.scene.rubbing import RopePair, coefficient
+
+if TYPE_CHECKING:
+    from ropewalk.core.arrays import Floats, Ints
 
 
 class Contact(Model):
