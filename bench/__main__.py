@@ -102,7 +102,7 @@ def main() -> None:
     for row in rows:
         table.add_row(row.case, f"{row.value:.3g}", row.unit, row.target)
     console.print(table)
-    if not chosen:
+    if rows:
         console.print(f"stored as {store(rows)}")
     if failed:
         raise SystemExit(f"failed: {', '.join(failed)}")
