@@ -45,6 +45,7 @@ NEVER = {
     ("Sdf", "origin"),
 } | {(name, "kind") for name in ("Springs", "Material", "Plane", *CURVES)}
 NEVER |= {("Tie", "rope"), ("Tie", "node")}
+NEVER |= {("RopePair", "other")}  # which of two ropes is first does not matter: `rope` is varied
 NEVER |= {("Spin", "free")}  # it goes with an inertia
 NEVER |= {("Spin", "center_of_mass")}  # it goes with a mass, of a body that turns freely
 SPRINGS = '{kind = "springs", spring_constant = 5.0, node_mass = 0.1, segment_length = 0.1}'

@@ -39,7 +39,7 @@ def painted(diameter: float):
     """The picture, (h, w, 3), the colours of both ropes, and pixels per metre."""
     result = crossing(diameter)
     seen = backdrop(result, "xz")
-    painter = _Painter(result, seen, SIZE, 1.0)
+    painter = _Painter(result, seen, SIZE, 1.0, 3)
     tension = np.zeros(result.layout.segments)
     tension[11:] = 1.0
     painter._scale.vmin, painter._scale.vmax = 0.0, 1.0

@@ -164,7 +164,10 @@ def _damped(linear: Linear, count: int) -> tuple[Complex, Complex]:
     found = np.where(rounds, 1j * found.imag, found)
     upper = found.imag >= 0.0
     found, vectors = found[upper], vectors[:size, upper]
-    order = np.argsort(np.abs(found), kind="stable")[:count]
+    sizes = np.abs(found) * (
+        1.0 - _ALIKE * np.sign(found.real)
+    )  # of two alike what grows comes first
+    order = np.argsort(sizes, kind="stable")[:count]
     return found[order], vectors[:, order].T
 
 
