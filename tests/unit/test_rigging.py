@@ -361,9 +361,7 @@ def test_a_strand_of_1x19_has_the_stretch_factor_and_no_breaking_load_unasked() 
     assert pytest.approx(98.8e9 * 0.006**2) == made.EA
     assert pytest.approx(known.EA * 98.8 / 88.5, rel=1e-3) == made.EA  # the library's is stainless
     assert made.breaking_load is None
-    asked = rw.Material.of_wire(
-        "1x19", "6 mm", guesses=True
-    )  # of 1570 N/mm^2 unless told otherwise
+    asked = rw.Material.of_wire("1x19", "6 mm", guesses=True)  # of 1570 N/mm^2 by default
     metal = made.mass_per_length / 7850.0
     assert 0.8 <= asked.breaking_load / (1570e6 * metal) <= 0.92
     low = 0.477 / 0.507  # the one that was read is at the lower end of the range
