@@ -132,3 +132,66 @@ def test_samples_and_seeds_that_cannot_be_have_a_sentence(
 ) -> None:
     with pytest.raises(InputError, match=told):
         rw.uncertain(swing(0.02), {EA: (1e3, 2e3)}, **options)
+
+
+def stiff(forces: Any, strains: Any, error: float | None, ranges: dict[str, Any]) -> Any:
+    """A fit to a pull test of 1 m of a rope whose elongations are far below a millimetre."""
+    rope = swing(0.02).ropes[0]
+    rope = rope.replace(length=1.0, made_of=rope.made_of.replace(EA=1e7))
+    pull = rw.calibrate.pull_test(forces, strains, error)
+    return rw.calibrate(swing(0.02).replace(ropes=[rope]), pull, ranges)
+
+
+def test_a_fit_does_not_stop_where_units_are_small() -> None:
+    """Three elongations of at most half a micrometre that 6e6 N meet exactly."""
+    forces = np.array([1.0, 2.0, 3.0])
+    fit = stiff(forces, forces / 6e6, None, {EA: (2e6, 2e7)})
+    assert fit.values[EA] == pytest.approx(6e6, rel=1e-6)
+    for low, high in (fit.intervals[EA], fit.profile[EA]):
+        assert 6e6 * (1.0 - 1e-6) < low <= high < 6e6 * (1.0 + 1e-6)
+    assert not any("starts ended in a worse place" in text for text in fit.words)
+
+
+def test_starts_that_end_elsewhere_are_told_where_units_are_small(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """One of three searches is cut short, 2 % off: far less than a millimetre here."""
+    import scipy.optimize
+
+    search, made = scipy.optimize.least_squares, []
+
+    def one_cut_short(*given: Any, **options: Any) -> Any:
+        made.append(search(*given, **options))
+        if len(made) == 2:
+            made[-1].x = made[-1].x * 1.02
+            made[-1].cost = 0.5 * float((given[0](made[-1].x) ** 2).sum())
+        return made[-1]
+
+    monkeypatch.setattr(scipy.optimize, "least_squares", one_cut_short)
+    forces = np.array([1.0, 2.0, 3.0])
+    fit = stiff(forces, forces / 6e6, None, {EA: (2e6, 2e7)})
+    assert len(made) == 3
+    assert any(text.startswith("1 of 3 starts ended in a worse place") for text in fit.words)
+
+
+@pytest.mark.parametrize("error", [None, 2e-6])
+def test_a_profile_goes_all_the_way_along_what_cannot_be_told_apart(error: float | None) -> None:
+    """Only EA over the length shows: EA ends where the length, 0.5 m to 2 m, meets its bounds.
+
+    By hand: k = EA / L is a line through the origin in 1/k, its interval that of a straight line.
+    """
+    forces = np.linspace(100.0, 1000.0, 10)
+    noise = 1.0 + 0.02 * np.random.default_rng(0).normal(size=10)
+    e = forces / 6e6 * noise
+    fit = stiff(forces, e, error, {EA: (2e6, 2e7), LENGTH: (0.5, 2.0)})
+    square = forces @ forces
+    k = square / (forces @ e)
+    left = e - forces / k
+    spread, quantile = (error, 1.6449) if error else (math.sqrt(left @ left / 8.0), 1.8595)
+    half = quantile * spread * k / math.sqrt(square)  # of k, as a share
+    low, high = fit.profile[EA]
+    width = high - low
+    assert 0.5 * k * (1.0 - half) - 0.03 * width < low < 0.5 * k * (1.0 - 0.9 * half)
+    assert 2.0 * k * (1.0 + 0.9 * half) < high < 2.0 * k * (1.0 + half) + 0.03 * width
+    assert fit.profile[LENGTH] == pytest.approx((0.5, 2.0))
+    assert "EA and length cannot be told apart by this measurement." in fit.words

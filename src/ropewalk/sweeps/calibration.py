@@ -20,7 +20,7 @@ from ropewalk.sweeps.fit_ranges import Scale, make_scales
 from ropewalk.sweeps.function import SweepFunction
 from ropewalk.sweeps.identify import Findings, identify, verdict
 from ropewalk.sweeps.measurements import Measurement, as_measurements
-from ropewalk.sweeps.misfit import misfit
+from ropewalk.sweeps.misfit import ROUNDING, misfit, size_of
 from ropewalk.sweeps.parameters import short_names
 from ropewalk.sweeps.profile import profile_intervals
 from ropewalk.sweeps.whole import refuse_unless_whole
@@ -60,6 +60,10 @@ class Residuals:
         )
         self.known = found[0].error is not None
         self.size = self.weights.size
+        self.nothing = 1e-6 * self.size  # half a sum of squares that tells no two fits apart
+        if not self.known:  # then they are in the measurement's unit
+            rounding = [(ROUNDING * size_of(m)) ** 2 * m.values.size for m in found]
+            self.nothing = 0.5 * sum(rounding)
         self.evaluations = 0
         self.lost = _LOST
         self.reason = ""  # of the first run that broke
@@ -276,15 +280,19 @@ def _search(
         )
     # A run that breaks must never look better than one that only lies far off.
     residuals.lost = max(_LOST, 10.0 * float(np.abs(found[np.isfinite(found)]).max()))
+    size = (
+        math.sqrt(float(costs[order].max())) or 1.0
+    )  # as gtol is absolute, small units would pass for met
     fits = [
         least_squares(
-            residuals.one, np.clip(table[i], 1e-6, 1.0 - 1e-6), residuals.jacobian,
+            lambda share: residuals.one(share) / size, np.clip(table[i], 1e-6, 1.0 - 1e-6),
+            lambda share: residuals.jacobian(share) / size,
             bounds=(0.0, 1.0), xtol=1e-10, ftol=1e-12, gtol=1e-12, max_nfev=60,
         )
         for i in order
     ]  # fmt: skip
     best = min(fits, key=lambda fit: float(fit.cost))
-    near = 0.01 * float(best.cost) + 1e-6 * residuals.size
+    near = 0.01 * float(best.cost) + residuals.nothing / size**2
     same = sum(float(fit.cost) <= float(best.cost) + near for fit in fits)
     return np.asarray(best.x), (same, len(fits))
 

@@ -14,7 +14,7 @@ from ropewalk.sweeps.measurements import Measurement
 _RARE = 1e-3
 _SIGNIFICANT = 0.01  # of rows of signs, which are a weaker sign of a misfit
 _FEWEST = 8  # numbers in a row that are worth looking at
-_ROUNDING = 1e-7  # residuals below this share of what is measured are no errors of a measurement
+ROUNDING = 1e-7  # residuals below this share of what is measured are no errors of a measurement
 
 
 def misfit(
@@ -82,7 +82,7 @@ def _rows(measurements: Sequence[Measurement], left: Sequence[Floats]) -> tuple[
     """Say of residuals that keep their sign for long: what is left then has a pattern."""
     told = []
     for measured, part in zip(measurements, left, strict=True):
-        if float(np.abs(part).max()) <= _ROUNDING * _size(measured):
+        if float(np.abs(part).max()) <= ROUNDING * size_of(measured):
             continue
         sections = list(_sections(measured, part))
         odds = [runs_of_signs(section) for section in sections]
@@ -98,7 +98,7 @@ def _rows(measurements: Sequence[Measurement], left: Sequence[Floats]) -> tuple[
     return tuple(told)
 
 
-def _size(measured: Measurement) -> float:
+def size_of(measured: Measurement) -> float:
     """Size of what is measured, for rounding; an offset is small beside the places it comes from."""
     return max(float(np.abs(measured.values).max()), 1e-3)
 

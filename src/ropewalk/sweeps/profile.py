@@ -13,8 +13,8 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.sweeps.identify import Findings
 
-_TRIES = 8
-_CLOSE = 0.02  # of the threshold
+_TRIES = 12
+_CLOSE = 0.02  # of the threshold, or of the way there
 
 Function = Callable[[Floats], Floats]
 
@@ -59,9 +59,11 @@ def _end(
         return float(share[place])
     # The root of sqrt(rise) - what is wanted: in a linear problem a straight line.
     wanted = math.sqrt(rise)
-    near, far, step, start = 0.0, math.inf, guess, share
+    near, far, step = 0.0, math.inf, guess
     for _ in range(_TRIES):
-        start, cost = _refit(residuals, jacobian, start, place, float(share[place] + sign * step))
+        # From the fit itself: what one refit leaves on a bound would stay there in the next.
+        value = float(share[place] + sign * step)
+        cost = _refit(residuals, jacobian, share, place, value, wanted)
         height = math.sqrt(max(cost - least, 0.0))
         if abs(height - wanted) <= _CLOSE * wanted:
             break
@@ -71,16 +73,23 @@ def _end(
                 return float(share[place] + sign * room)
         else:
             far = step
+        if near >= (1.0 - _CLOSE) * far:  # as at a kink, where another value meets its bound
+            step = far
+            break
         ahead = step * wanted / height if height > 0.0 else 2.0 * step
         low, high = near + 0.05 * (min(far, room) - near), min(far, 4.0 * step, room)
+        if near > 0.0 and not near < ahead < far:
+            ahead = 0.5 * (near + far)  # infinite where nothing is known to be beyond
         step = min(max(ahead, low), high)
+    else:
+        step = far  # not met in time: what is surely beyond it
     return float(share[place] + sign * min(step, room))
 
 
 def _refit(
-    residuals: Function, jacobian: Function, start: Floats, place: int, value: float
-) -> tuple[Floats, float]:
-    """Return the best values with one of them held, and their sum of squares."""
+    residuals: Function, jacobian: Function, start: Floats, place: int, value: float, size: float
+) -> float:
+    """Return the least sum of squares with one of the values held; `size` is one that tells, for gtol."""
     from scipy.optimize import least_squares
 
     others = [i for i in range(len(start)) if i != place]
@@ -94,13 +103,13 @@ def _refit(
 
     if not others:
         found = residuals(whole)
-        return whole, float(found @ found)
+        return float(found @ found)
     fit = least_squares(
-        lambda part: residuals(full(part)),
+        lambda part: residuals(full(part)) / size,
         np.clip(start[others], 1e-9, 1.0 - 1e-9),
-        lambda part: jacobian(full(part))[:, others],
+        lambda part: jacobian(full(part))[:, others] / size,
         bounds=(0.0, 1.0),
         xtol=1e-8,
         max_nfev=20,
     )
-    return full(fit.x), 2.0 * float(fit.cost)
+    return 2.0 * float(fit.cost) * size**2
