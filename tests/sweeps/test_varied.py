@@ -284,3 +284,50 @@ def test_ranges_and_lists_may_have_units() -> None:
     assert steps.values == ("auto", "0.05 ms")
     with pytest.raises(SceneError, match='rope.length: "12 kg" - is of another kind'):
         make_parameters(scene, {"rope.length": ("11 m", "12 kg")})
+
+
+def test_an_energy_error_is_kept_by_its_size_over_all_steps() -> None:
+    """That of implicit Euler is a loss: the largest of the signed frames was 0, of the first one."""
+    scene = swing(0.1).replace(**{"run.method": "implicit-euler", "run.time_step": 0.005})
+    keep = ["energy_error.max", "energy_error", "energy_error[-1]"]
+    ds = rw.sweep(scene, {EA: [1500.0, 2000.0]}, keep=keep, on="here")
+    for stiffness in ds.EA.values:
+        own, at = alone(scene, **{EA: float(stiffness)}), ds.sel(EA=stiffness)
+        assert at.energy_error_max == own.table["largest energy error [J]"] > 1e-4
+        assert own.energy_error[-1] < 0.0
+        np.testing.assert_array_equal(at.energy_error, np.abs(own.energy_error))
+        assert at.energy_error_last == -own.energy_error[-1]
+    assert ds.energy_error_max.attrs["long_name"] == (
+        "largest size of the energy that no law accounts for, over all steps"
+    )
+
+
+def test_what_no_step_was_looked_at_for_is_said_to_be_of_the_frames() -> None:
+    keep = ["tension.max", "energy_error.max", "sag.max", "tension[-1].max"]
+
+    def said(scene: rw.Scene, **more: Any) -> list[str]:
+        ds = rw.sweep(scene, {EA: [2e3]}, keep=keep, on="here", **more)
+        names = [name for name in ds.data_vars if "keep" in ds[name].attrs]
+        return [str(ds[name].attrs["long_name"]).partition(", ")[2] for name in names]
+
+    frames, steps = "over the recorded frames", "over all steps"
+    assert said(swing(0.02)) == [steps, steps, frames, ""]
+    quick = swing(0.02).replace(**{"run.extremes": False})
+    assert said(quick) == [frames, frames, frames, ""]
+
+
+def test_exact_steps_between_the_corners_have_frames_of_their_own() -> None:
+    """At 50 frames a second 1 ms and 2 ms fit into a frame of 20 ms; 1.1 ms make one of 19.8 ms."""
+    exact = swing(0.2).replace(**{"run.steps": "exact"})
+    keep = "tension.max[time]"
+
+    def dims(scene: rw.Scene, vary: dict[str, Any], **more: Any) -> tuple[Any, ...]:
+        return rw.sweep(scene, vary, keep=keep, on="here", **more).tension_max_time.dims[1:]
+
+    for path in ("run.time_step", "time_step"):
+        assert dims(exact, {path: [0.001, 0.0011, 0.0013, 0.002]}) == ("frame",)
+    assert dims(exact, {"time_step": [0.001, 0.002]}) == ("time",)
+    assert dims(swing(0.2), {"time_step": [0.001, 0.0011, 0.002]}) == ("time",)
+    assert dims(exact, {EA: [1e3, 1.5e3, 2e3]}) == ("time",)
+    times = {alone(exact, time_step=step).time[-1] for step in (0.001, 0.0011, 0.002)}
+    assert len(times) == 2  # it is so

@@ -280,9 +280,8 @@ def _search(
         )
     # A run that breaks must never look better than one that only lies far off.
     residuals.lost = max(_LOST, 10.0 * float(np.abs(found[np.isfinite(found)]).max()))
-    size = (
-        math.sqrt(float(costs[order].max())) or 1.0
-    )  # as gtol is absolute, small units would pass for met
+    # In units of where they begin: gtol is absolute, and would take a small unit's start for the end.
+    size = math.sqrt(float(costs[order].max())) or 1.0
     fits = [
         least_squares(
             lambda share: residuals.one(share) / size, np.clip(table[i], 1e-6, 1.0 - 1e-6),

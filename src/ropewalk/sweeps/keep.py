@@ -48,6 +48,7 @@ _OF_STEPS = {
     ("height", "min"): "least_height",
     ("reactions", "max"): "greatest_reactions",
     ("moments", "max"): "greatest_moments",
+    ("energy_error", "max"): "energy_errors",
 }
 
 
@@ -108,7 +109,10 @@ DERIVED: dict[str, Derived] = {
     "sag": Derived(("time", "rope"), "m", "drop below the line between the rope's ends", _sag),
     "total_energy": Derived(("time",), "J", "total energy", lambda r: r.energy["total"]),
     "energy_error": Derived(
-        ("time",), "J", "energy that no law accounts for", lambda r: r.energy_error
+        ("time",),
+        "J",
+        "size of the energy that no law accounts for",
+        lambda r: np.abs(r.energy_error),
     ),
     "segments_parted": Derived(("time",), "1", "segments that have parted so far", _parted),
 }
@@ -141,10 +145,17 @@ class Kept:
         seen = "over all steps" if self.of_steps is not None else "over the recorded frames"
         return f"{what}, {seen}" if time_too else what
 
-    def words(self, at_rest: bool) -> str:
-        """Return what the variable is, in words; an equilibrium has neither steps nor frames."""
+    def words(self, at_rest: bool, every_step: bool) -> str:
+        """Return what the variable is, in words, of runs that keep what `every_step` reached, or do not.
+
+        An equilibrium has neither steps nor frames.
+        """
         bare = self.long_name.rpartition(", over")[0] or self.long_name
-        return f"{bare}, at rest" if at_rest else self.long_name
+        if at_rest:
+            return f"{bare}, at rest"
+        if every_step:
+            return self.long_name
+        return self.long_name.replace(", over all steps", ", over the recorded frames")
 
     @property
     def of_steps(self) -> str | None:
@@ -172,6 +183,8 @@ class Kept:
         derived = DERIVED.get(self.quantity)
         if self.of_steps is not None and self.of_steps in result.source.names:
             array, dims = result.read(self.of_steps), BY_NAME[self.of_steps].dims
+            if "bound" in dims:  # the least and the greatest: the size is the larger one's
+                array, dims = np.fmax.reduce(np.abs(array), axis=1), dims[:1]
         elif derived is not None:
             array = derived.of(result)
         elif self.quantity in result.source.names:

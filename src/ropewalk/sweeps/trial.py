@@ -176,7 +176,7 @@ def try_out(
         with suppress(SceneError, NoRest):
             found.append(_tried(workshop, corner, keep, what))
     _warn_of_drums([model for model, _ in found], keep)
-    return _trial(found, keep, what)
+    return _trial(found, keep, what, parameters)
 
 
 def _warn_of_drums(models: Sequence[Model], keep: Sequence[Kept]) -> None:
@@ -241,20 +241,23 @@ def _at_start(kept: Kept, frames: int) -> Kept:
     return replace(kept, picks=(0, *kept.picks[1:]))
 
 
-def _trial(found: list[_Tried], keep: Sequence[Kept], what: str) -> Trial:
+def _trial(
+    found: list[_Tried], keep: Sequence[Kept], what: str, parameters: Sequence[Parameter]
+) -> Trial:
     first = found[0][0]
     times = [np.zeros(1) if what == REST else _times(model) for model, _ in found]
     same = all(
         len(time) == len(times[0]) and np.allclose(time, times[0], rtol=1e-9, atol=0.0)
         for time in times
-    )
+    ) and (what == REST or not _rounded_between([model for model, _ in found], parameters))
+    every_step = all(model.scene.run.extremes for model, _ in found)
     variables = []
     for place, kept in enumerate(keep):
         dims = tuple("frame" if d == "time" and not same else d for d in found[0][1][place][0])
         sizes = tuple(
             np.max([shapes[place][1] for _, shapes in found], axis=0).astype(int).tolist()
         )
-        words = kept.words(at_rest=what == REST)
+        words = kept.words(at_rest=what == REST, every_step=every_step)
         variables.append(Variable(kept.name, kept.text, dims, sizes, kept.unit, words))
     used = {dim for variable in variables for dim in variable.dims}
     coordinates = {dim: about for dim, about in _labels(first).items() if dim in used}
@@ -262,6 +265,17 @@ def _trial(found: list[_Tried], keep: Sequence[Kept], what: str) -> Trial:
         about = {"units": "s", "long_name": "time"}
         coordinates["time"] = {"values": times[0].tolist(), "attributes": about}
     return Trial(tuple(variables), coordinates, first)
+
+
+def _rounded_between(models: Sequence[Model], parameters: Sequence[Parameter]) -> bool:
+    """Tell whether runs between the corners may have frames at other times though the corners do not.
+
+    With exact steps a frame is rounded to a whole number of them, by every step otherwise.
+    """
+    if all(model.scene.run.steps != "exact" for model in models):
+        return False
+    varied = (p for p in parameters if p.path.removeprefix("run.") in ("time_step", "frame_rate"))
+    return any(p.values is None or len(set(p.values)) > 2 for p in varied)
 
 
 def _times(model: Model) -> Floats:
