@@ -153,6 +153,42 @@ def test_points_from_a_file_in_python(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    "head",
+    ["# time [ms],x [mm],y [mm],z [mm]", "#a run\n# z [mm]; y [mm]; x [mm]; time [ms]\n\n# more"],
+)
+def test_a_header_may_be_a_comment(tmp_path: Path, head: str) -> None:
+    """As numpy.savetxt writes it: its units and its order were passed over, 1000 ms were 1000 s."""
+    rows = [(0, 0, 0, 0), (1000, 5, 6, 7)]
+    rows = [row[::-1] for row in rows] if "; x" in head else rows
+    lines = [head, *(",".join(map(str, row)) for row in rows)]
+    (tmp_path / "moves.csv").write_text("\n".join(lines))
+    (tmp_path / "scene.toml").write_text(TABLE)
+    motion = load(tmp_path / "scene.toml").anchors[0].motion
+    assert motion == Table(times=[0, 1], positions=[(0, 0, 0), (0.005, 0.006, 0.007)])
+
+
+@pytest.mark.parametrize(
+    "csv",
+    [
+        "# time,x,y,z: of the left end\n0,0,0,0\n1,0.5,0,0\n",  # says nothing of columns
+        "# time [ms],x [mm],y [mm],z [mm]\ntime,x,y,z\n0,0,0,0\n1,0.5,0,0\n",
+        "0,0,0,0\n# time [ms],x [mm],y [mm],z [mm]\n1,0.5,0,0\n",
+    ],
+)
+def test_other_comments_are_no_header(tmp_path: Path, csv: str) -> None:
+    (tmp_path / "moves.csv").write_text(csv)
+    (tmp_path / "scene.toml").write_text(TABLE)
+    motion = load(tmp_path / "scene.toml").anchors[0].motion
+    assert motion == Table(times=[0, 1], positions=[(0, 0, 0), (0.5, 0, 0)])
+
+
+def test_units_in_a_comment_are_checked_as_in_a_header(tmp_path: Path) -> None:
+    (tmp_path / "moves.csv").write_text("# time [mm],x,y,z\n0,0,0,0\n1,0.5,0,0\n")
+    (tmp_path / "scene.toml").write_text(TABLE)
+    assert 'line 1, column time: "mm" - is of another kind' in message(tmp_path / "scene.toml")
+
+
+@pytest.mark.parametrize(
     ("csv", "lines"),
     [
         ("", ["has no rows"]),

@@ -28,8 +28,9 @@ def read_columns(
     """Read named columns of a CSV file: comma, semicolon or tab; ``#`` begins a comment line.
 
     With a header line the columns may come in any order and others are passed over; a header
-    may carry units, as in ``x [mm]`` or ``tension (kN)``, from which the column is then converted. Without
-    one, the columns are taken in the order of `units`, and their numbers are in these.
+    may carry units, as in ``x [mm]`` or ``tension (kN)``, from which the column is then converted. It may
+    be a comment, as numpy.savetxt writes it. Without one, the columns are taken in the order of `units`,
+    and their numbers are in these.
 
     Args:
         folder: what a relative file name is relative to.
@@ -40,19 +41,15 @@ def read_columns(
     Raises:
         PydanticCustomError: inside a validator, with every fault (path ``file``).
     """
-    lines = [
-        (number, line)
-        for number, line in enumerate(_text(folder, file).splitlines(), start=1)
-        if line.strip() and not line.lstrip().startswith("#")
-    ]
+    comments, lines = _lines(_text(folder, file))
     if not lines:
         refuse([Fault("file", file, "has no rows")])
-    delimiter = max(",;\t", key=lines[0][1].count)
-    rows = [
-        (number, [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter))])
-        for number, line in lines
-    ]
+    delimiter = _delimiter(lines[0][1])
+    rows = [(number, _cells(line, delimiter)) for number, line in lines]
     names = list(units)
+    if not _has_all(names, rows[0][1]):
+        heads = [(number, _cells(line, _delimiter(line))) for number, line in reversed(comments)]
+        rows = [head for head in heads if _has_all(names, head[1])][:1] + rows
     order = _header(file, rows[0], names)
     width = len(rows[0][1])
     factors = [1.0] * len(names)
@@ -68,6 +65,36 @@ def read_columns(
             refuse([Fault("file", file, rule)])
     columns = _numbers(file, rows, names, order, rising)
     return [[k * value for value in column] for k, column in zip(factors, columns, strict=True)]
+
+
+def _lines(text: str) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
+    """The comments above the first row, without their signs, and the rows, each with its line's number."""
+    comments: list[tuple[int, str]] = []
+    rows: list[tuple[int, str]] = []
+    for number, line in enumerate(text.splitlines(), start=1):
+        if not line.lstrip().startswith("#"):
+            rows += [(number, line)] if line.strip() else []
+        elif not rows:
+            comments.append((number, line.lstrip("# \t")))
+    return comments, rows
+
+
+def _delimiter(line: str) -> str:
+    return max(",;\t", key=line.count)
+
+
+def _cells(line: str, delimiter: str) -> list[str]:
+    return [cell.strip() for cell in next(csv.reader([line], delimiter=delimiter), ())]
+
+
+def _titles(cells: Sequence[str]) -> list[str]:
+    """The names of columns in the cells of a header, without their units."""
+    return [cell.split("[")[0].split("(")[0].strip().lower() for cell in cells]
+
+
+def _has_all(names: Sequence[str], cells: Sequence[str]) -> bool:
+    """Whether a row's cells name all the columns that are wanted."""
+    return set(names) <= set(_titles(cells))
 
 
 def _text(folder: Path, file: str) -> str:
@@ -98,7 +125,7 @@ def _header(file: str, row: tuple[int, list[str]], names: Sequence[str]) -> list
     number, cells = row
     if any(_number(cell) is not None for cell in cells):
         return None
-    titles = [cell.split("[")[0].split("(")[0].strip().lower() for cell in cells]
+    titles = _titles(cells)
     absent = [name for name in names if name not in titles]
     if absent:
         columns = ", ".join(names)
