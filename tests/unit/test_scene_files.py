@@ -5,10 +5,12 @@ from __future__ import annotations
 import json
 import os
 import re
+import tomllib
 from pathlib import Path
 
 import jsonschema
 import pytest
+import tomli_w
 
 from ropewalk.scene import (
     Points,
@@ -27,6 +29,8 @@ from ropewalk.scene import (
 from ropewalk.scene.guess import Guess
 from ropewalk.scene.paths import keys, kind_of, sections
 
+DOCS = Path(__file__).parents[2] / "docs"
+MATERIAL = {"kind": "material", "mass_per_length": "63 g/m"}
 ROPE = """
 [[rope]]
 segments = 2
@@ -255,6 +259,21 @@ def test_a_file_and_values_exclude_each_other() -> None:
         Table(file="a.csv", times=[0, 1])
 
 
+def test_the_schema_accepts_the_scenes_of_the_docs() -> None:
+    """All that can be read; an editor marked quantities with units as faulty."""
+    validator = jsonschema.Draft202012Validator(schema())
+    texts = (page.read_text(encoding="utf-8") for page in DOCS.rglob("*.md"))
+    read = 0
+    for block in re.findall(r"^```toml\n(.*?)^```", "\n".join(texts), re.MULTILINE | re.DOTALL):
+        try:
+            loads(block)
+        except SceneError:
+            continue  # a part of a scene, or one with files
+        read += 1
+        validator.validate(tomllib.loads(block))
+    assert read > 20
+
+
 def test_the_schema_is_one_and_accepts_scenes_only() -> None:
     made = schema()
     json.dumps(made, allow_nan=False)
@@ -263,12 +282,36 @@ def test_the_schema_is_one_and_accepts_scenes_only() -> None:
     spring = {"kind": "springs", "spring_constant": 1, "node_mass": 1, "segment_length": 1}
     rope = {"segments": 2, "made_of": spring}
     validator.validate({"rope": [rope]})
+    for good in (
+        {
+            "gravity": ["0 m/s^2", 0, "-32 ft/s²"],
+            "run": {"time_step": "0.5 ms", "frame_rate": "30 1/s"},
+        },
+        {"rope": [rope | {"length": "30 ft", "made_of": MATERIAL | {"EA": "5.65e+00 MN"}}]},
+        {
+            "rope": [
+                rope
+                | {"length": 1, "made_of": MATERIAL | {"curve": [[0.1, 1e2], ["20 %", "1 kN"]]}}
+            ]
+        },
+    ):
+        validator.validate({"rope": [rope]} | good)
+        assert loads(tomli_w.dumps({"rope": [rope]} | good))
     for bad in (
         {"rope": [rope | {"segments": 0}]},
         {"rope": [rope | {"segmets": 0}]},
         {"rope": [rope | {"made_of": spring | {"node_mass": "1"}}]},
         {"rope": [rope | {"made_of": spring | {"kind": "spring"}}]},
         {"rope": [rope], "gravity": [0, 0]},
+        {"rope": [rope], "gravity": [0, 0, "-9.81"]},
+        {"rope": [rope], "gravity": [0, 0, "down"]},
+        {"rope": [rope], "gravity": [0, 0, -1e16]},
+        {"rope": [rope | {"made_of": spring | {"node_mass": "1e3"}}]},
+        {"rope": [rope | {"segments": "2 m"}]},
+        {"rope": [rope], "run": {"time_step": "car"}},
+        {"rope": [rope], "run": {"tolerance": 1e-10}},
+        {"rope": [rope | {"made_of": MATERIAL | {"curve": [[0.1, 100.0, 1.0]]}}]},
+        {"rope": [rope | {"made_of": MATERIAL | {"curve": [["0.1", 100.0]]}}]},
         {"rope": [rope], "run": {"method": "rk5"}},
     ):
         assert not validator.is_valid(bad), bad

@@ -15,7 +15,7 @@ from click.testing import CliRunner
 import ropewalk as rw
 import ropewalk.scene as scene_module
 from ropewalk.cli import main
-from ropewalk.scene import Kick, Shake, apply_overrides, dumps, loads
+from ropewalk.scene import Kick, Points, Shake, apply_overrides, dumps, loads
 from ropewalk.scene.as_given import as_given
 from ropewalk.scene.units import WrongUnit, in_unit
 
@@ -99,6 +99,9 @@ def test_the_command_line_takes_them() -> None:
         # took half a minute, and thirty times longer with each further number
         ("EA", "1000  " * 8 + "m", "is no number with a unit"),
         ("mass_per_length", "63 g", "a quantity in kg/m is needed"),
+        # was of 2000 lb, 907 kg, without a word
+        ("mass_per_length", "1 ton/m", "may be of 1000 kg or of 2000 lb: write it in t, kg or lb"),
+        ("mass_per_length", "2 ktons/m", "may be of 1000 kg or of 2000 lb"),
     ],
 )
 def test_what_is_no_such_quantity_is_refused_as_given(field: str, given: str, said: str) -> None:
@@ -119,6 +122,52 @@ def test_faults_are_still_told_together() -> None:
     assert {fault.path for fault in raised.value.faults} == {"EA", "mass_per_length", "EI"}
     with pytest.raises(rw.SceneError, match=r"time_step.*a quantity in s is needed"):
         rw.RunSettings(time_step="3 m")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("given", "unit", "number"),
+    [
+        ("5 Nm", "N m", 5.0),  # a count of yarn to pint
+        ("5 kNm", "N m", 5e3),
+        ("5 daNm", "N m", 50.0),
+        ("5 mNm", "N m", 5e-3),
+        ("5 Nm/rad", "N m/rad", 5.0),
+        ("5 Nm^2", "N m^2", 5.0),
+        ("5 Nm²", "N m^2", 5.0),
+        ("5 kNm**2", "N m^2", 5e3),
+        ("5 Nms", "N m s", 5.0),
+        ("5 Nm s", "N m s", 5.0),
+        ("5 Ns", "N s", 5.0),  # newtons to pint
+        ("5 Ns/m", "N s/m", 5.0),
+        ("5 kNs/m", "N s/m", 5e3),
+        ("5 rad/Nm", "rad/(N m)", 5.0),
+        ("5 1/Nms", "1/(N m s)", 5.0),
+        ("5 Nmm", "N m", None),  # no sign between, and nothing guessed
+        ("5 N/ms", "N/s", 5e3),
+        ("5 newtons", "N", 5.0),
+        ("5 t", "kg", 5e3),
+        ("5 tonnes", "kg", 5e3),
+    ],
+)
+def test_newtons_run_on_into_metres_and_seconds(
+    given: str, unit: str, number: float | None
+) -> None:
+    found = in_unit(given, unit)
+    if number is None:
+        assert isinstance(found, WrongUnit)
+        return
+    assert found == pytest.approx(number, rel=1e-12)
+
+
+def test_long_lists_have_units_too() -> None:
+    """Lists of more than 64 parts were refused as no numbers, texts and all."""
+    rope = rw.Rope(segments=99, made_of="wire-7x19-10", length=99.0)
+    inches = rope.replace(shape=Points(points=[(f"{12 * i} in", 0.0, "1 ft") for i in range(100)]))
+    assert inches.shape.points[99] == pytest.approx((99 * 0.3048, 0.0, 0.3048))
+    with pytest.raises(rw.SceneError, match=r'points.*"1 s" - is of another kind'):
+        rope.replace(shape=Points(points=[(0.0, 0.0, "1 s") for _ in range(100)]))
+    numbers = [(float(i), 0.0, 0.0) for i in range(100)]
+    assert in_unit(numbers, "m") is numbers  # not copied
 
 
 def test_turns_are_no_numbers_per_second() -> None:

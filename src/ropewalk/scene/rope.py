@@ -36,7 +36,7 @@ from ropewalk.scene.limits import MOST_SEGMENTS
 from ropewalk.scene.rubbing import coefficient
 from ropewalk.scene.shapes import Points, Shape, Slack, Straight
 from ropewalk.scene.solid_fields import relaxation_time, relaxing_EA, solid_faults
-from ropewalk.scene.tension_curves import Curve, curve_fault, with_curve
+from ropewalk.scene.tension_curves import PAIRS_SCHEMA, Curve, curve_fault, with_curve
 
 Friction = Literal["vector", "axial"]
 _FRICTION = (
@@ -143,6 +143,7 @@ class Material(FromDataSheet, Model):
     @classmethod
     def __get_pydantic_json_schema__(cls, core_schema: Any, handler: Any) -> Any:
         made = super().__get_pydantic_json_schema__(core_schema, handler)
+        made["properties"]["curve"]["anyOf"].append(PAIRS_SCHEMA)
         needed = made.pop("required")
         curved = ["curve" if name == "EA" else name for name in needed]
         ways = (needed, curved, ["library"])

@@ -273,6 +273,16 @@ class ExponentialCurve(CurveModel):
         )
 
 
+#: The JSON Schema of pairs of strain and tension, which stand for a table of them.
+PAIRS_SCHEMA = {
+    "type": "array",
+    "items": {
+        "type": "array",
+        "prefixItems": [{"type": "number", "unit": unit} for unit in ("1", "N")],
+        "minItems": 2,
+        "maxItems": 2,
+    },
+}
 Curve = Annotated[
     TableCurve | PolynomialCurve | NeoHookeanCurve | ExponentialCurve, Field(discriminator="kind")
 ]

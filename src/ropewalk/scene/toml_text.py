@@ -10,6 +10,7 @@ from typing import Any
 
 from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, SceneFileError
 from ropewalk.scene.scene import Scene
+from ropewalk.scene.units import TEXT_SCHEMA
 
 #: A list of three numbers, which tomli_w writes on five lines. Texts hold no line breaks there.
 _NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
@@ -75,7 +76,9 @@ def schema() -> dict[str, Any]:
     """The JSON Schema of the scene format (draft 2020-12), for editors and other tools."""
     made = Scene.model_json_schema(by_alias=True)
     finite: dict[str, Any] = _without_infinity(made)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | finite
+    whole: dict[str, Any] = _as_read(finite, None)
+    whole["$defs"]["Quantity"] = TEXT_SCHEMA
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema"} | whole
 
 
 def _without_infinity(node: Any) -> Any:
@@ -93,6 +96,41 @@ def _without_infinity(node: Any) -> Any:
     if len(kept.get("anyOf", ())) == 1:
         kept |= kept.pop("anyOf")[0]
     return kept
+
+
+#: Names of bounds that pydantic leaves as they are in parts of lists, and what they are in a schema.
+_BOUNDS = {
+    "ge": ("minimum", max),
+    "gt": ("exclusiveMinimum", max),
+    "le": ("maximum", min),
+    "lt": ("exclusiveMaximum", min),
+}
+_OF_NUMBERS = ("type", "minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum")
+
+
+def _as_read(node: Any, unit: str | None) -> Any:
+    """Give numbers with a unit the texts that stand for them, and bounds of parts of lists their names."""
+    if isinstance(node, list):
+        return [_as_read(item, unit) for item in node]
+    if not isinstance(node, dict):
+        return node
+    own = node.get("unit")
+    unit = own if isinstance(own, str) else unit
+    made = {key: _as_read(value, unit) for key, value in node.items()}
+    kind = made.get("type")
+    if kind in ("number", "integer"):
+        for name, (bound, stricter) in _BOUNDS.items():
+            if name in made:
+                value = made.pop(name)
+                made[bound] = stricter(value, made.get(bound, value))
+    if kind == "array":
+        for name in ("min", "max"):
+            if f"{name}Length" in made:
+                made[f"{name}Items"] = made.pop(f"{name}Length")
+    if kind != "number" or unit is None:
+        return made
+    number = {key: made.pop(key) for key in _OF_NUMBERS if key in made}
+    return made | {"anyOf": [number, {"$ref": "#/$defs/Quantity"}]}
 
 
 def _read(path: Path) -> str:

@@ -9,16 +9,28 @@ from typing import Any
 _LONGEST = (
     60  # characters; a number and a unit need few, and pint's reader takes its time over many
 )
-_MANY = (
-    64  # parts of a list; longer ones are numbers from elsewhere, and are not searched for texts
-)
+_MANY = 64  # parts of a list; longer ones without a text are numbers from elsewhere, and stay as they are
 _NUMBER = r"[+-]?(?:\d+(?:_\d+)*\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?"
 _POWER = r"(?:(?:\*\*|\^)-?\d)?"
 _NAME = r"[A-Za-zµμΩ°%²³]+"
-_UNIT = rf"1|{_NAME}{_POWER}(?:\s*[*/·]\s*{_NAME}{_POWER}|\s+{_NAME}{_POWER})*"
-_QUANTITY = re.compile(rf"\s*({_NUMBER})\s*((?:1/)?(?:{_UNIT}))\s*")
+_UNIT = rf"{_NAME}{_POWER}(?:\s*[*/·]\s*{_NAME}{_POWER}|\s+{_NAME}{_POWER})*"
+_QUANTITY = re.compile(rf"\s*({_NUMBER})\s*((?:1/)?(?:1|{_UNIT}))\s*")
+#: The JSON Schema of a text with a number and a unit; whether that is of the right kind it cannot say.
+TEXT_SCHEMA = {
+    "title": "Quantity",
+    "description": "A number with a unit of its own",
+    "examples": ["5.65 MN", "12 mm", "5 %"],
+    "type": "string",
+    "maxLength": _LONGEST,
+    "pattern": rf"^\s*{_NUMBER}\s*(1/)?{_UNIT}\s*$",
+}
 _BARE = re.compile(rf"\s*(?>{_NUMBER})\s*")
 _SEVERAL = re.compile(rf"\s*(?>{_NUMBER})(?:(?>\s*[,;]\s*|\s+)(?>{_NUMBER}))+\s*")
+#: Newtons times metres or seconds without a sign between them, which pint takes for a count of yarn
+#: (Nm) and for newtons (Ns), and what stands before them.
+_RUN_ON = re.compile(r"(/\s*|(?<![A-Za-zµμ]))((?:da|[µμmkMG])?N)(ms|m|s)(?![A-Za-zµμΩ])")
+#: Without a word more it is the 2000 lb of one country, to pint as well, and the 1000 kg of all others.
+_TON = re.compile(r"\b(?:[kM]|kilo|mega)?tons?\b")
 _FRACTION = re.compile(r"\s*[+-]?(?:\d+[\s-])?\s*\d+\s*/\s*\d+")
 
 
@@ -36,13 +48,21 @@ def in_unit(value: Any, unit: str) -> Any:
     """
     if isinstance(value, str):
         return _from_text(value, unit)
-    if isinstance(value, list | tuple) and len(value) <= _MANY:
+    if isinstance(value, list | tuple) and (len(value) <= _MANY or _has_text(value)):
         parts = [in_unit(part, unit) for part in value]
         wrong = next((part for part in parts if isinstance(part, WrongUnit)), None)
         return wrong or tuple(parts)
     if hasattr(value, "dimensionality") and hasattr(value, "to"):
         return _converted(value, unit, str(value))
     return value
+
+
+def _has_text(value: list[Any] | tuple[Any, ...]) -> bool:
+    """Return whether a list has a text in it, or in one of its lists."""
+    return any(
+        isinstance(part, str) or (isinstance(part, list | tuple) and _has_text(part))
+        for part in value
+    )
 
 
 def _are_several(text: str) -> bool:
@@ -68,6 +88,9 @@ def _from_text(text: str, unit: str) -> Any:
         return WrongUnit(text, rule + (", with a point for the decimals" if decimals else ""))
     if "%" in found[2] and found[2].strip() != "%":
         return WrongUnit(text, f"has % beside another unit; write it as {_example(unit)}")
+    if _TON.search(found[2]):
+        rule = "has a ton, which may be of 1000 kg or of 2000 lb: write it in t, kg or lb"
+        return WrongUnit(text, rule)
     import pint
 
     try:
@@ -84,9 +107,15 @@ def _from_text(text: str, unit: str) -> Any:
 
 def _readable(unit: str) -> str:
     """Return a unit as pint reads it."""
+    unit = _RUN_ON.sub(_apart, unit)
     for sign, word in (("^", "**"), ("·", "*"), ("%", "percent"), ("°", "degree")):
         unit = unit.replace(sign, word)
     return unit
+
+
+def _apart(found: re.Match[str]) -> str:
+    """Return newtons times metres or seconds with the signs between them; all are divided by after a "/"."""
+    return found[1] + ("/" if found[1] else "*").join((found[2], *found[3]))
 
 
 def _converted(quantity: Any, unit: str, given: str) -> Any:
