@@ -79,6 +79,63 @@ def test_what_is_told_is_bounded_and_the_time_linear(kind: str) -> None:
     assert least_time(lambda: faults(many)) < 10.0 * short
 
 
+BETWEEN = """
+[contact]
+[[contact.pair]]
+rope = "none"
+other = "b"
+friction = 0.1
+[[anchor]]
+rope = "a"
+node = 41
+[[obstacle]]
+kind = "sphere"
+name = "ball"
+center = [0, 0, -9]
+radius = 1
+[[obstacle]]
+kind = "sphere"
+name = "ball"
+center = [0, 0, -19]
+radius = 1
+[[slide]]
+rope = "b"
+on = "nowhere"
+"""
+
+
+def test_faults_between_parts_are_told_at_once() -> None:
+    """Those of anchors hid those of obstacles, these those of contact, and so on."""
+    ropes = ROPE.format(name="a") + ROPE.format(name="b")
+    wrong = {
+        "anchor[0].node": "41",
+        "obstacle[1].name": "is the name of obstacle[0] already",
+        "rope[0].diameter": "is needed where ropes touch",
+        "rope[1].diameter": "is needed where ropes touch",
+        "contact.pair[0].rope": '"none" - is no rope',
+        "slide[0].on": '"nowhere" - is no rope',
+    }
+    for more in (
+        "",
+        "[limiter]\nmin_stretch = -1\n",
+    ):  # faulty in itself: others are told all the same
+        lines = {line.partition(": ")[0]: line for line in faults(ropes + BETWEEN + more)}
+        assert set(lines) == {*wrong, *(["limiter.min_stretch"] if more else [])}
+        for path, words in wrong.items():
+            assert words in lines[path]
+    broken = ROPE.format(name="a") + ROPE.format(name="b").replace("segments = 3", "segments = 0")
+    paths = [line.partition(": ")[0] for line in faults(broken + BETWEEN)]
+    # what names the ropes is not told of as long as one of them cannot be read
+    assert paths == ["rope[1].segments", "anchor[0].node", "obstacle[1].name", "rope[0].diameter"]
+
+
+def test_parts_that_are_faulty_in_themselves_hide_no_others() -> None:
+    ropes = ROPE.format(name="a") + ROPE.format(name="b")
+    text = ropes + BETWEEN.replace("radius = 1", "radius = -1", 1).replace('"b"\non', '"b"\nto')
+    paths = [line.partition(": ")[0] for line in faults(text)]
+    assert {"obstacle[0].radius", "slide[0].to", "rope[0].diameter"} <= set(paths)
+
+
 def test_winches_and_anchors_on_many_ropes_are_checked_in_linear_time() -> None:
     def text(count: int) -> str:
         ropes = "".join(ROPE.format(name=f"r{i}") for i in range(count))

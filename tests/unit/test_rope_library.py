@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import Any
 
 import jsonschema
 import pytest
@@ -14,6 +15,7 @@ from ropewalk.library.catalogue import _SOURCES, _table, faults
 from ropewalk.library.entry import UNITS
 from ropewalk.scene import SceneError, apply_overrides, dumps, loads, schema
 from ropewalk.scene.from_library import origin, origin_words
+from ropewalk.scene.overrides import Places
 
 FILES = ("climbing", "low_stretch", "fibre", "wire", "chain", "lines", "conductors")
 #: Bounds by family: density and modulus on the nominal round section, and breaking stress.
@@ -216,8 +218,37 @@ def test_overrides_take_numbers_diameter_and_origin_together() -> None:
     wire = rope("wire-7x19-10")
     assert scene.ropes[0].made_of == wire.material()
     assert scene.ropes[0].diameter == wire.diameter
-    by_key = apply_overrides(loads(TEXT), ["rope.made_of.library=wire-7x19-10"])
-    assert by_key.ropes[0].made_of == wire.material()
+    for given in ("rope.made_of.library=wire-7x19-10", 'rope.made_of={library="wire-7x19-10"}'):
+        by_key = apply_overrides(loads(TEXT), [given])
+        assert by_key.ropes[0].made_of == wire.material()
+        assert by_key.ropes[0].diameter == wire.diameter
+
+
+@pytest.mark.parametrize("made_of", ["wire-7x19-10", rope("wire-7x19-10")])
+def test_another_rope_brings_its_diameter_in_python_too(made_of: Any) -> None:
+    scene, wire = loads(TEXT), rope("wire-7x19-10")
+    assert scene.ropes[0].replace(made_of=made_of).diameter == wire.diameter
+    assert scene.ropes[0].replace(made_of=made_of, diameter=0.5).diameter == 0.5
+    assert scene.ropes[0].replace(segments=9).diameter == rope("dynamic-single-9.8").diameter
+    assert scene.replace(**{"rope.made_of": made_of}).ropes[0].diameter == wire.diameter
+
+
+@pytest.mark.parametrize("key", ["rope[0].made_of", "rope.made_of.library"])
+@pytest.mark.parametrize("order", [1, -1])
+def test_what_is_changed_beside_another_rope_holds_in_any_order(key: str, order: int) -> None:
+    """The rope's numbers took the place of what stood before them."""
+    given = ["rope.diameter=20 mm", "rope.made_of.axial_damping=500", f"{key}=wire-7x19-10"]
+    changed = apply_overrides(loads(TEXT), given[::order]).ropes[0]
+    wire = rope("wire-7x19-10").material()
+    assert changed.made_of == wire.replace(axial_damping=500.0)
+    assert changed.diameter == 0.020
+    pairs = dict([("rope.made_of.axial_damping", 500.0), (key, "wire-7x19-10")][::order])
+    made = Places(loads(TEXT), pairs) if key.endswith("library") else None
+    if made is not None:
+        assert made.scene(list(pairs.values())).ropes[0].made_of == changed.made_of
+    other = rw.Rope(segments=3, made_of="human-hair", length=1.0)
+    whole = loads(TEXT).replace(**{"ropes": [other], "anchors": [], key: "wire-7x19-10"})
+    assert whole.ropes[0].made_of == wire  # a list set whole stays before what is changed in it
 
 
 @pytest.mark.parametrize(

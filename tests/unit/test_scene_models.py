@@ -144,6 +144,18 @@ def test_numpy_values_are_taken_as_what_they_are() -> None:
     assert rope.shape.start == (1.0, 2.0, 3.0)
     assert (rope.segments, rope.diameter) == (3, 0.02)
     assert type(rope.segments) is int
+    run = RunSettings(time_step=np.float32(0.25), extremes=np.bool_(False))
+    assert (run.time_step, run.extremes) == (0.25, False)
+    assert RunSettings(time_step=np.int64(1)).time_step == 1.0
+    with pytest.raises(SceneError, match="must be a number of seconds"):
+        RunSettings(time_step=np.bool_(True))  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("value", ["yes", "false", 1, 0.0])
+def test_flags_are_true_or_false(value: object) -> None:
+    """As all others are; "extremes" took texts and numbers."""
+    with pytest.raises(SceneError, match="extremes"):
+        RunSettings(extremes=value)  # type: ignore[arg-type]
 
 
 def test_sentences() -> None:

@@ -13,6 +13,7 @@ from ropewalk.scene import (
     Material,
     Mesh,
     Rope,
+    RunSettings,
     Scene,
     SceneError,
     Shake,
@@ -20,6 +21,8 @@ from ropewalk.scene import (
     Straight,
     Velocity,
     apply_overrides,
+    dumps,
+    loads,
 )
 from ropewalk.scene.presets import preset
 
@@ -97,6 +100,23 @@ def test_values_of_every_kind() -> None:
     assert ONE.run.method == "semi-implicit-euler"
 
 
+def test_a_method_that_nobody_asked_for_goes_with_the_springs() -> None:
+    made = {"rope.made_of": Material(EA=1e4, mass_per_length=0.1), "rope.length": 2.0}
+    other = ONE.replace(**made)
+    assert other.run.method == ONE.replace(ropes=other.ropes).run.method == "auto"
+    table = "rope.made_of={kind='material', EA=1e4, mass_per_length=0.1}"
+    assert apply_overrides(ONE, [table, "rope.length=2"]) == other
+    assert other.replace(ropes=ONE.ropes) == ONE
+    asked = ONE.replace(**{"run.method": "semi-implicit-euler"}).replace(**made)
+    assert asked.run.method == "semi-implicit-euler"
+
+
+def test_auto_that_was_asked_for_is_kept_in_files_and_changes() -> None:
+    auto = ONE.replace(run=RunSettings(method="auto"))
+    assert loads(dumps(auto)) == auto
+    assert apply_overrides(auto, ["rope.segments=5"]).run.method == "auto"
+
+
 def test_run_settings_need_no_prefix() -> None:
     short = ["method=heun", "time_step=0.001", "duration=3", "frame_rate=25", "steps=exact"]
     assert apply_overrides(ONE, short) == apply_overrides(ONE, [f"run.{item}" for item in short])
@@ -107,6 +127,9 @@ def test_a_new_kind_drops_what_it_does_not_know() -> None:
     changes = ["kind=shake", "axis=[0,0,1]", "amplitude=0.1", "frequency=2"]
     scene = apply_overrides(ONE, [f"anchor.left.motion.{change}" for change in changes])
     assert scene.anchors[0].motion == Shake(axis=(0, 0, 1), amplitude=0.1, frequency=2)
+    assert apply_overrides(ONE, [f"anchor.left.motion.{one}" for one in changes[::-1]]) == scene
+    renamed = ["anchor.left.name=end", *(f"anchor.end.motion.{one}" for one in changes)]
+    assert apply_overrides(ONE, renamed).anchors[0].motion == scene.anchors[0].motion
     table = apply_overrides(
         ONE, ['anchor.left.motion={kind="shake", axis=[0,0,1], amplitude=0.1, frequency=2}']
     )

@@ -60,6 +60,24 @@ def test_the_export_has_places_speeds_and_loads_of_slides(result: Result, tmp_pa
         np.testing.assert_array_equal(rows.iloc[:, -1], motion.carried[::2])
 
 
+def test_the_start_of_a_line_is_a_place_like_any_other() -> None:
+    """A slide at 0 was refused. It goes as one at the far end of the same line drawn from there."""
+    given = scene()
+    line, rider, trolley = given.ropes[0], given.ropes[1], given.slides[0]
+    top = given.replace(ropes=[line, rider], slides=[trolley.replace(at=0.0)])
+    way = Straight(start=(0, 0, 0), direction=(1, 0, -0.3))
+    end = [5.0 / np.hypot(1.0, 0.3) * part for part in way.direction]
+    turned = line.replace(shape=Straight(start=end, direction=(-1, 0, 0.3)))
+    bottom = given.replace(ropes=[turned, rider], slides=[trolley.replace(at=5.0)])
+    one, other = (rw.simulate(each).slide("trolley") for each in (top, bottom))
+    assert one.place[0] == 0.0
+    assert one.place[-1] > 0.01
+    np.testing.assert_allclose(one.place, 5.0 - other.place, atol=1e-9)
+    np.testing.assert_allclose(one.load, other.load, rtol=1e-6, atol=1e-6)
+    with pytest.raises(rw.SceneError, match=r"at: -0.1 - must be at least 0"):
+        trolley.replace(at=-0.1)
+
+
 def test_pandas_and_xarray_have_them_too(result: Result) -> None:
     table = result.to_pandas("slides", rope="two")
     assert set(table["slide"]) == {"hook"}

@@ -22,7 +22,7 @@ from pydantic import (
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
-from ropewalk.scene.changing import replaced
+from ropewalk.scene.changing import brings_diameter, replaced
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.limits import HUGE, TINY
 from ropewalk.scene.model_table import as_table
@@ -41,7 +41,7 @@ else:
 NAME = r"^[^\W\d_][\w-]*$"
 
 
-def _plain(value: Any) -> Any:
+def in_python(value: Any) -> Any:
     """Take a numpy number or array as the Python value it stands for; refuse a wrong unit."""
     if isinstance(value, WrongUnit):
         raise PydanticCustomError("unit", "{rule}", {"rule": value.rule, "given": value.given})
@@ -53,7 +53,7 @@ def _plain(value: Any) -> Any:
 
 def _listed(value: Any) -> Any:
     """Take a list, tuple or array; a single model stands for a list of one."""
-    value = _plain(value)
+    value = in_python(value)
     if isinstance(value, BaseModel):
         return (value,)
     if isinstance(value, (set, frozenset, Mapping, str)) or not isinstance(value, Iterable):
@@ -63,7 +63,7 @@ def _listed(value: Any) -> Any:
 
 def _triple(value: Any) -> Any:
     """Take a list of three."""
-    value = _plain(value)
+    value = in_python(value)
     if not isinstance(value, (list, tuple)) or len(value) != 3:
         raise PydanticCustomError("vector", "three numbers are needed")
     return tuple(value)
@@ -88,10 +88,10 @@ if TYPE_CHECKING:  # what may be given; what is stored is a tuple
 else:
     _T = TypeVar("_T")
     _list = BeforeValidator(_listed)
-    Number = Annotated[float, BeforeValidator(_plain), Strict()]
+    Number = Annotated[float, BeforeValidator(in_python), Strict()]
     Stiffness = Annotated[Number, AfterValidator(_huge_or_inf)]
-    Whole = Annotated[int, BeforeValidator(_plain), Strict()]
-    Flag = Annotated[bool, BeforeValidator(_plain), Strict()]
+    Whole = Annotated[int, BeforeValidator(in_python), Strict()]
+    Flag = Annotated[bool, BeforeValidator(in_python), Strict()]
     Text = Annotated[str, Strict()]
     _Bounded = Annotated[Number, Field(ge=-HUGE, le=HUGE, allow_inf_nan=False)]
     Vector = Annotated[tuple[_Bounded, _Bounded, _Bounded], BeforeValidator(_triple)]
@@ -252,6 +252,10 @@ class Model(BaseModel, metaclass=_Sentences):
         """The model as nested dicts and lists with TOML keys, defaults left out."""
         return as_table(self)
 
+    def as_said(self) -> dict[str, Any]:
+        """The same table, without what follows from other values and is asked anew when they change."""
+        return self.table()
+
     def replace(self, **changes: Any) -> Self:
         """A validated copy with some fields changed: ``changes`` gives them by name.
 
@@ -259,12 +263,16 @@ class Model(BaseModel, metaclass=_Sentences):
         ``scene.replace(**{"rope.made_of.spring_constant": 200.0})`` (every rope), ``"rope[1].segments"``
         or ``"rope.left.segments"`` (one of them), ``"run.duration"``.
 
+        Another rope of the library as ``made_of`` brings its diameter along.
+
         Raises:
             SceneError: when a path leads nowhere, or the changed model is faulty.
         """
         if any("." in name or "[" in name for name in changes):
             return replaced(self, changes)
         kept = {name: getattr(self, name) for name in self.model_fields_set}
+        if brings_diameter(changes.get("made_of")):
+            kept.pop("diameter", None)
         return type(self)(**(kept | changes))
 
     @classmethod

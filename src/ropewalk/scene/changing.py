@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
+from ropewalk.library import LibraryRope
 from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, join
 from ropewalk.scene.model_table import plain
 from ropewalk.scene.paths import (
@@ -32,6 +33,10 @@ _FROM_FILES = {
     *("vertices", "faces", "values", "spacing", "origin"),
     *("strain", "tension", "times", "positions", "points"),
 }
+#: Keys that take others away when they are set.
+RENEWING = ("kind", "library", "file", "made_of")
+#: What a material always has; where one of them is missing, the library gives it.
+NEEDED = ("EA", "mass_per_length")
 _STEP = re.compile(r"([^.\[\]=\s]+)((?:\[\d+\])*)")
 
 
@@ -50,18 +55,49 @@ _Change = Callable[[], tuple[list[str | int], Any]]
 
 def changed(model: M, changes: Iterable[_Change]) -> M:
     """The model with some values set: each change gives the steps of a path, and a value."""
-    table = model.table()
+    table = model.as_said()
+    found: list[tuple[list[str | int], Any]] = []
     faults: list[Fault] = []
     for change in changes:
         try:
-            path, value = change()
-            for target in targets_of(type(model), table, path):
+            steps, value = change()
+            first = _as_in_toml([(table, type(model), "")], steps[0])
+            found.append(([first, *steps[1:]], value))
+        except SceneError as error:
+            faults += error.faults
+    for steps, value in _renewing_first(found):
+        try:
+            for target in targets_of(type(model), table, steps):
                 put(target, value)
         except SceneError as error:
             faults += error.faults
     if faults:
         raise SceneError(faults)
     return type(model).model_validate(table)
+
+
+def _renewing_first(
+    changes: Iterable[tuple[list[str | int], Any]],
+) -> list[tuple[list[str | int], Any]]:
+    """The changes, those first that take away what stands beside them, so that no other is lost.
+
+    What makes the table that they are in, or names it, stays before them.
+    """
+    ordered: list[tuple[list[str | int], Any]] = []
+    for steps, value in changes:
+        at = len(ordered)
+        if steps[-1] in RENEWING:
+            while at and not _must_stay_before(ordered[at - 1][0], steps):
+                at -= 1
+        ordered.insert(at, (steps, value))
+    return ordered
+
+
+def _must_stay_before(one: list[str | int], renewing: list[str | int]) -> bool:
+    if one[-1] in (*RENEWING, "name"):
+        return True
+    rest = iter([step for step in renewing[:-1] if isinstance(step, str)])
+    return all(step in rest for step in one if isinstance(step, str))  # a table above it
 
 
 def _named(path: str, value: Any) -> tuple[list[str | int], Any]:
@@ -97,21 +133,28 @@ class Target(NamedTuple):
     model: ModelType
     path: str
     part: int | None = None
+    above: dict[str, Any] | None = (
+        None  # the table that `owner` stands in, where it is one of its keys
+    )
 
 
 def targets_of(root: ModelType, table: dict[str, Any], steps: list[str | int]) -> Iterator[Target]:
     """Every table, key and model that a path below a root leads to."""
     places: list[tuple[dict[str, Any], ModelType, str]] = [(table, root, "")]
-    rest = list(steps)
+    rest, above = list(steps), list[dict[str, Any]]()
     while True:
         key = _as_in_toml(places, rest.pop(0))
         places = [_known(place, key) for place in places]
         if not rest or (len(rest) == 1 and _is_vector(places, str(key), rest[0])):
-            for owner, model, path in places:
+            for i, (owner, model, path) in enumerate(places):
                 part = int(rest[0]) if rest else None
                 where = join(path, str(key)) + ("" if part is None else f"[{part}]")
-                yield _checked(Target(owner, str(key), model, where, part))
+                outer = (
+                    above[i] if len(above) == len(places) else None
+                )  # else there is a list between
+                yield _checked(Target(owner, str(key), model, where, part, outer))
             return
+        above = [owner for owner, _, _ in places]
         places, rest = _descend(places, str(key), rest)
 
 
@@ -180,6 +223,8 @@ def _descend(
             if isinstance(rest[0], int):
                 raise no_path(f"{here}[{rest[0]}]", f"there is only one; write {here}")
             inner = owner.setdefault(key, {})
+            if key == "made_of" and isinstance(inner, str):
+                inner = owner[key] = {"kind": "material", "library": inner}
             if not isinstance(inner, dict):
                 raise no_path(here, _WHOLE)
             below.append((inner, _model(kind.models, inner, here), here))
@@ -227,7 +272,7 @@ def _choose(
 
 def put(target: Target, value: Any) -> None:
     """Put a value into a table; a new kind drops the keys that it does not know."""
-    owner, key, model, _, part = target
+    owner, key, model, _, part, above = target
     field = keys(model)[key]
     if part is not None:
         whole = list(value_at(target))
@@ -242,10 +287,12 @@ def put(target: Target, value: Any) -> None:
     if key == "library":  # its numbers take the place of those that are there
         for other in set(owner) - {"kind"}:
             del owner[other]
+        if above is not None:  # of the rope, whose diameter the library gives, too
+            above.pop("diameter", None)
     if key == "file":
         for other in _FROM_FILES & set(owner):
             del owner[other]
-    if key == "made_of" and isinstance(value, str):
+    if key == "made_of" and brings_diameter(value):
         owner.pop("diameter", None)
     owner[key] = value
 
@@ -255,3 +302,10 @@ def _change_kind(owner: dict[str, Any], model: ModelType, value: Any) -> None:
     if chosen is not None:
         for key in set(owner) - set(keys(chosen)):
             del owner[key]
+
+
+def brings_diameter(made_of: Any) -> bool:
+    """Tell whether a value for `made_of` names a rope of the library, whose diameter comes with it."""
+    if isinstance(made_of, Mapping):
+        return bool(made_of.get("library")) and not all(key in made_of for key in NEEDED)
+    return isinstance(made_of, str | LibraryRope)

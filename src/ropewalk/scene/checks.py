@@ -43,8 +43,8 @@ def scene_faults(
     return told
 
 
-def obstacle_faults(names: Iterable[str]) -> list[Fault]:
-    """The faults of obstacles' names, which are filled in."""
+def obstacle_faults(names: Iterable[str | None]) -> list[Fault]:
+    """The faults of obstacles' names; None where one is faulty, "" for the name it is given."""
     return list(_named_once("obstacle", names))
 
 

@@ -21,7 +21,7 @@ from ropewalk.scene.faults import Fault
 class Air(Model):
     """Drag on nodes (linear, quadratic) and on segments (quadratic, normal and tangential).
 
-    Segment drag per unstretched length is 1/2 density x coefficient x diameter x speed^2 for
+    Segment drag per stretched length is 1/2 density x coefficient x diameter x speed^2 for
     the flow across the rope, and pi times the diameter for the flow along it.
     """
 

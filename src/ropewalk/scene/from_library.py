@@ -8,11 +8,10 @@ from typing import Any
 from ropewalk.library import LibraryRope, UnknownRope, rope
 from ropewalk.library.catalogue import nearest
 from ropewalk.scene.base import refuse
+from ropewalk.scene.changing import NEEDED, brings_diameter
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.guess import guess_words
 
-#: What a material always has; where one of them is missing, the library gives it.
-_NEEDED = ("EA", "mass_per_length")
 _FROM_SOURCES = (
     *("mass_per_length", "axial_damping", "relaxing_EA", "relaxation_time", "EI"),
     "breaking_load",
@@ -40,7 +39,7 @@ def filled(data: Any) -> Any:
         return data
     if not isinstance(data["library"], str):
         return data
-    if all(key in data for key in _NEEDED):
+    if all(key in data for key in NEEDED):
         return _marked(dict(data))
     found, use = _known(data["library"], "library")
     return _marked(found.material_numbers(use) | dict(data))
@@ -79,7 +78,7 @@ def with_diameter(data: Any) -> Any:
         made_of = {"library": made_of}
         found, _ = _known(made_of["library"], "made_of")
     elif isinstance(made_of, Mapping) and isinstance(made_of.get("library"), str):
-        if all(key in made_of for key in _NEEDED) or not made_of["library"]:
+        if not brings_diameter(made_of):
             return data
         found, _ = _known(made_of["library"], "made_of.library")
     else:

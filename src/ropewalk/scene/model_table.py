@@ -24,6 +24,9 @@ def as_table(model: BaseModel) -> dict[str, Any]:
         if value is None or name in derived or value == default == "":
             continue  # a name not given yet is none
         given = key in _WHERE_GIVEN and name in model.model_fields_set
+        given = given or "method" in getattr(
+            value, "model_fields_set", ()
+        )  # said: no default of springs
         if key not in _ALWAYS and not given and value == default and repr(value) == repr(default):
             continue  # repr tells -0.0 from 0.0
         table[key] = plain(value)

@@ -9,7 +9,16 @@ from typing import Any
 from pydantic.fields import FieldInfo
 
 from ropewalk.scene.base import Model
-from ropewalk.scene.changing import Target, changed, no_path, put, steps_of, targets_of, value_at
+from ropewalk.scene.changing import (
+    RENEWING,
+    Target,
+    changed,
+    no_path,
+    put,
+    steps_of,
+    targets_of,
+    value_at,
+)
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.paths import keys, toml_name
 from ropewalk.scene.run_settings import RunSettings
@@ -27,6 +36,9 @@ def apply_overrides(scene: Scene, overrides: Iterable[str]) -> Scene:
     ``time_step=0.001``. A value is read as TOML and, where it is none, taken as text, so that
     ``method=rk4`` needs no quotes. ``none`` takes an optional value or table away, so that
     it has its default again.
+
+    What takes others away, such as a `kind` or another rope of the library, is set before them, wherever it
+    stands.
 
     Changing ``segments`` of a rope of springs keeps their ``segment_length``: the rope becomes
     longer. A rope of a material keeps its length.
@@ -50,7 +62,7 @@ class Places:
         the `whole` scene is to be made each time.
         """
         self.paths = tuple(paths)
-        self._table = scene.table()
+        self._table = scene.as_said()
         faults: list[Fault] = []
         places: list[list[Target]] = []
         for path in self.paths:
@@ -63,7 +75,7 @@ class Places:
         self._places = places
         targets = [target for found in places for target in found]
         # These take keys away, which must be there again for the next value.
-        self._renewed = any(target.key in ("kind", "library", "made_of") for target in targets)
+        self._renewed = any(target.key in RENEWING for target in targets)
         self._scene, self._whole = scene, whole
         if not whole and not any(target.key == "name" for target in targets):  # others tell names
             owners = {id(target.owner) for target in targets}
@@ -106,7 +118,8 @@ class Places:
             return Places(self._scene, self.paths, whole=True)._written(values)  # all faults
 
     def _written(self, values: Sequence[Any]) -> Scene:
-        for targets, value in zip(self._places, values, strict=True):
+        pairs = zip(self._places, values, strict=True)
+        for targets, value in sorted(pairs, key=lambda pair: pair[0][0].key not in RENEWING):
             for target in targets:
                 put(target, value)
         return Scene.model_validate(self._table)

@@ -63,8 +63,8 @@ class Contact(Model):
         return self.frictions_of(ropes, every[0], every[1])
 
 
-def contact_faults(contact: Contact | None, ropes: Sequence[Rope]) -> list[Fault]:
-    """The faults of a scene whose ropes touch each other."""
+def contact_faults(contact: Contact | None, ropes: Sequence[Rope | None]) -> list[Fault]:
+    """The faults of a scene whose ropes touch each other; None is a rope that is faulty in itself."""
     if contact is None:
         return []
     rule = (
@@ -73,5 +73,5 @@ def contact_faults(contact: Contact | None, ropes: Sequence[Rope]) -> list[Fault
     return [
         Fault(f"rope[{i}].diameter", MISSING, rule)
         for i, rope in enumerate(ropes)
-        if "diameter" not in rope.model_fields_set
+        if rope is not None and "diameter" not in rope.model_fields_set
     ]

@@ -63,12 +63,12 @@ def between_pieces(pairs: Sequence[RopePair], name: str, pieces: Sequence[str]) 
 
 
 def pair_faults(
-    obstacles: Sequence[Obstacle], contact: Contact | None, ropes: Sequence[Rope]
+    obstacles: Sequence[Obstacle | None], contact: Contact | None, ropes: Sequence[Rope | None]
 ) -> Iterator[Fault]:
-    """Yield the faults of pairs that name no rope, or one twice."""
-    names = [rope.name for rope in ropes]
+    """Yield the faults of pairs that name no rope, or one twice; None is a part that is faulty in itself."""
+    names = [rope.name for rope in ropes if rope is not None]
     tables: list[tuple[str, Sequence[Pair | RopePair]]] = [
-        (f"obstacle[{i}]", body.pairs) for i, body in enumerate(obstacles)
+        (f"obstacle[{i}]", body.pairs) for i, body in enumerate(obstacles) if body is not None
     ]
     if contact is not None:
         tables.append(("contact", contact.pairs))
@@ -80,7 +80,7 @@ def pair_faults(
             if isinstance(pair, RopePair):
                 own["other"] = pair.other
             for key, name in own.items():
-                if name not in names:
+                if name not in names and None not in ropes:
                     yield Fault(f"{here}.{key}", name, f"is no rope: {nearest(name, names)}")
             first = seen.setdefault(frozenset(own.values()), i)
             if first != i:

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, model_validator
 
 from ropewalk.methods.names import Method
-from ropewalk.scene.base import Model, Number, not_negative, positive, refuse
+from ropewalk.scene.base import Flag, Model, Number, in_python, not_negative, positive, refuse
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.limits import HUGE, TINY
 from ropewalk.scene.ring import Ring
@@ -23,6 +23,7 @@ def _time_step(value: Any) -> Any:
         return value
     if isinstance(value, WrongUnit):
         refuse([Fault("", value.given, value.rule)])
+    value = in_python(value)
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
     if not number or not TINY <= value <= HUGE:
         refuse([Fault("", value, f'must be a number of seconds from {TINY} on, or "auto"')])
@@ -70,7 +71,7 @@ class RunSettings(Model):
         description="shape: as the ropes' shapes say; at-rest: from the equilibrium, with no velocity "
         "but kicks and ring (anchors move from there)",
     )
-    extremes: bool = Field(
+    extremes: Flag = Field(
         default=True,
         description="Whether every step is looked at for greatest and least values; without it tables "
         "know those of the recorded frames alone",

@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, TypeAdapter, ValidationError, field_validator, model_validator
 
 from ropewalk.scene.anchor import Anchor
 from ropewalk.scene.base import Many, Model, Text, Vector, Whole, listed, refuse, vector
@@ -140,6 +140,13 @@ class Scene(Model):
                 del part["rope"]
         return table
 
+    def as_said(self) -> dict[str, Any]:
+        """See `Model.as_said`: without the method, where none is said."""
+        table = self.table()
+        if "method" not in self.run.model_fields_set:
+            table.get("run", {}).pop("method", None)
+        return table
+
     def view(
         self,
         *,
@@ -178,23 +185,28 @@ class Scene(Model):
     @model_validator(mode="after")
     def _check(self) -> Scene:
         parts = self.ropes, self.anchors, self.winches
-        refuse(scene_faults(self.gravity, *parts, self.limiter, self.joints))
-        refuse(_start_faults(self.run, self.ropes))
-        names = (body.name or f"obstacle{i}" for i, body in enumerate(self.obstacles))
-        refuse(obstacle_faults(names))
-        refuse(contact_faults(self.contact, self.ropes))
-        refuse(pair_faults(self.obstacles, self.contact, self.ropes))
-        refuse(slide_faults(self.slides, self.ropes, self.winches))
+        refuse(
+            [
+                *scene_faults(self.gravity, *parts, self.limiter, self.joints),
+                *_start_faults(self.run, self.ropes),
+                *obstacle_faults(body.name for body in self.obstacles),
+                *contact_faults(self.contact, self.ropes),
+                *pair_faults(self.obstacles, self.contact, self.ropes),
+                *slide_faults(self.slides, self.ropes, self.winches),
+            ]
+        )
         self._fill_in_names()
         self._fill_in_method()
         return self
 
     def _fill_in_method(self) -> None:
         """Give ropes of springs alone the method of their report where none is said."""
-        springs = all(isinstance(rope.made_of, Springs) for rope in self.ropes)
-        if not springs or "method" in self.run.model_fields_set:
+        if "method" in self.run.model_fields_set:
             return
-        method = "semi-implicit-euler"  # still not said, so that `replace` asks anew
+        springs = all(isinstance(rope.made_of, Springs) for rope in self.ropes)
+        method = (
+            "semi-implicit-euler" if springs else "auto"
+        )  # not said, so that `replace` asks anew
         if self.run.method != method:  # settings of another scene have it already
             run = self.run.model_copy()
             run.__dict__["method"] = method
@@ -228,8 +240,17 @@ class Scene(Model):
         anchors = [_part(Anchor, item, context) for item in _items(data, "anchor", "anchors")]
         winches = [_part(Winch, item, context) for item in _items(data, "winch", "winches")]
         joints = [_part(Joint, item, context) for item in _items(data, "joint", "joints")]
+        slides = [_part(Slide, item, context) for item in _items(data, "slide", "slides")]
+        bodies = [_body(item, context) for item in _items(data, "obstacle", "obstacles")]
         limiter = _part(Limiter, data.get("limiter"), context)
-        return scene_faults(None, ropes, anchors, winches, limiter, joints)
+        contact = _part(Contact, data.get("contact"), context)
+        return [
+            *scene_faults(None, ropes, anchors, winches, limiter, joints),
+            *obstacle_faults(None if body is None else body.name for body in bodies),
+            *contact_faults(contact, ropes),
+            *pair_faults(bodies, contact, ropes),
+            *slide_faults(slides, ropes, winches),
+        ]
 
     def __str__(self) -> str:
         run = self.run
@@ -275,6 +296,15 @@ def _part(kind: type[_P], item: Any, context: Any) -> _P | None:
     try:
         return item if isinstance(item, kind) else kind.model_validate(item, context=context)
     except SceneError:
+        return None
+
+
+def _body(item: Any, context: Any) -> Obstacle | None:
+    """An obstacle of a faulty scene, or None when it is faulty itself."""
+    adapter: TypeAdapter[Obstacle] = TypeAdapter(Obstacle)
+    try:
+        return adapter.validate_python(item, context=context)
+    except ValidationError:
         return None
 
 

@@ -36,7 +36,7 @@ class Slide(Model):
         min_length=1,
         description="Name of the rope that it runs along; default the first one",
     )
-    at: Number | None = positive(
+    at: Number | None = not_negative(
         "Where it starts, unstretched rope from that rope's start; the node's rope is moved there as a "
         "whole; by default the place nearest to where the node is drawn",
         "m",
@@ -68,17 +68,20 @@ class Slide(Model):
 
 
 def slide_faults(
-    slides: Sequence[Slide],
-    ropes: Sequence[Rope],
-    winches: Sequence[Winch],
+    slides: Sequence[Slide | None],
+    every: Sequence[Rope | None],
+    winches: Sequence[Winch | None],
 ) -> list[Fault]:
-    """The faults of a scene in which nodes slide along ropes."""
-    if not slides:
+    """The faults of a scene in which nodes slide along ropes; of none while a rope is faulty in itself."""
+    ropes = [rope for rope in every if rope is not None]
+    if not ropes or len(ropes) < len(every):
         return []
     found = list[Fault]()
     names, seen = [rope.name for rope in ropes], dict[tuple[str, int], int]()
     titles = dict[str, int]()
     for i, slide in enumerate(slides):
+        if slide is None:
+            continue
         name = slide.name or f"slide{i}"
         if titles.setdefault(name, i) != i:
             rule = f"is the name of slide[{titles[name]}] already"
@@ -126,9 +129,9 @@ def _one(i: int, slide: Slide, rope: Rope, line: Rope) -> Iterator[Fault]:
         yield Fault(f"{path}.brake", MISSING, rule)
 
 
-def _wound(i: int, slide: Slide, rope: Rope, winches: Sequence[Winch]) -> Iterator[Fault]:
+def _wound(i: int, slide: Slide, rope: Rope, winches: Sequence[Winch | None]) -> Iterator[Fault]:
     """The fault of a slide whose node could come on to a drum."""
-    ends = {winch.end for winch in winches if winch.rope == rope.name}
+    ends = {winch.end for winch in winches if winch is not None and winch.rope == rope.name}
     node = slide.node % rope.nodes
     if ends and (len(ends) == 2 or node != (rope.nodes - 1 if "start" in ends else 0)):
         rule = "could come on to the drum of its rope: let the end slide that has no winch"
