@@ -17,7 +17,9 @@ from ropewalk.scene import SceneError, apply_overrides, dumps, loads, schema
 from ropewalk.scene.from_library import origin, origin_words
 from ropewalk.scene.overrides import Places
 
+FROM = "library"  # the key of a material that names a rope
 FILES = ("climbing", "low_stretch", "fibre", "wire", "chain", "lines", "conductors")
+BY_KEY = "rope.made_of." + FROM
 #: Bounds by family: density and modulus on the nominal round section, and breaking stress.
 #: [kg/m^3], [GPa], [MPa]
 STEEL = ((4000, 8000), (25, 215), (450, 2700))
@@ -218,7 +220,7 @@ def test_overrides_take_numbers_diameter_and_origin_together() -> None:
     wire = rope("wire-7x19-10")
     assert scene.ropes[0].made_of == wire.material()
     assert scene.ropes[0].diameter == wire.diameter
-    for given in ("rope.made_of.library=wire-7x19-10", 'rope.made_of={library="wire-7x19-10"}'):
+    for given in (f"{BY_KEY}=wire-7x19-10", 'rope.made_of={library="wire-7x19-10"}'):
         by_key = apply_overrides(loads(TEXT), [given])
         assert by_key.ropes[0].made_of == wire.material()
         assert by_key.ropes[0].diameter == wire.diameter
@@ -233,7 +235,7 @@ def test_another_rope_brings_its_diameter_in_python_too(made_of: Any) -> None:
     assert scene.replace(**{"rope.made_of": made_of}).ropes[0].diameter == wire.diameter
 
 
-@pytest.mark.parametrize("key", ["rope[0].made_of", "rope.made_of.library"])
+@pytest.mark.parametrize("key", ["rope[0].made_of", BY_KEY])
 @pytest.mark.parametrize("order", [1, -1])
 def test_what_is_changed_beside_another_rope_holds_in_any_order(key: str, order: int) -> None:
     """The rope's numbers took the place of what stood before them."""

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from ropewalk.library import LibraryRope
+from ropewalk import library
 from ropewalk.scene.faults import NO_VALUE, Fault, SceneError, join
 from ropewalk.scene.model_table import plain
 from ropewalk.scene.paths import (
@@ -308,4 +308,4 @@ def brings_diameter(made_of: Any) -> bool:
     """Tell whether a value for `made_of` names a rope of the library, whose diameter comes with it."""
     if isinstance(made_of, Mapping):
         return bool(made_of.get("library")) and not all(key in made_of for key in NEEDED)
-    return isinstance(made_of, str | LibraryRope)
+    return isinstance(made_of, str | library.LibraryRope)
