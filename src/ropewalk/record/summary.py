@@ -19,6 +19,7 @@ from ropewalk.record.margins import margin_rows
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
+from ropewalk.record.reach_note import reach_note
 from ropewalk.record.tension_notes import anchor_note, curve_note, push_note, tension_note
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
@@ -70,6 +71,7 @@ def summary(result: Result) -> dict[str, Any]:
         ),
         **({"about the stretch limiter": note} if (note := limiter_note(result)) else {}),
         **({"about the obstacles": note} if (note := deep_note(result)) else {}),
+        **({"about the contacts": note} if (note := reach_note(result)) else {}),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),
