@@ -20,6 +20,7 @@ import runs
 from patience import PATIENCE
 from ropewalk.engine.slices import Slices
 from ropewalk.record.errors import RunError
+from ropewalk.record.event_log import read_events
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
@@ -256,6 +257,46 @@ def test_a_run_into_the_break_is_killed_and_resumed(
     assert Result.open(tmp_path / "run").status == "interrupted"
     resume_run(tmp_path / "run")
     equal_runs(tmp_path / "run", tmp_path / "whole")
+
+
+def test_the_break_of_a_run_that_is_killed_behind_it_is_told_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Killed once it was logged, before its frames were committed; the twin is the log, with both."""
+    folder = tmp_path / "run"
+
+    def replace(source: Any, target: Any) -> None:
+        log = folder / "events.jsonl"
+        if log.exists() and b'"broke"' in log.read_bytes():
+            raise Killed
+        real(source, target)
+
+    real = os.replace
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "replace", replace)
+        with pytest.raises(Killed):
+            record_run(runs.breaking(), folder, keep_going=True, commit_seconds=0.0)
+    killed = Result.open(folder)
+    breaks = [event for event in read_events(folder) if event["event"] == "broke"]
+    assert len(breaks) == 1
+    assert breaks[0]["time"] > killed.time[-1]
+    assert "broke" not in [event["event"] for event in killed.events]
+    resumed = resume_run(folder)
+    assert [event["event"] for event in resumed.events].count("broke") == 1
+    lines = (folder / "events.jsonl").read_bytes().splitlines()
+    assert sum(b'"broke"' in line for line in lines) == 2
+
+
+def test_a_saved_copy_of_an_interrupted_run_is_not_resumed(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with monkeypatch.context() as patch:
+        killed_at(80, patch, after=True)
+        with pytest.raises(Killed):
+            record_run(runs.hanging(), tmp_path / "run", commit_seconds=0.0)
+    Result.open(tmp_path / "run").save(tmp_path / "copy")
+    with pytest.raises(RunError, match="no checkpoint, as a saved result has none: resume the"):
+        rw.resume(tmp_path / "copy")
 
 
 def test_a_finished_run_is_not_resumed(tmp_path: Path) -> None:

@@ -169,6 +169,11 @@ def test_a_run_with_a_broken_rope_resumes_to_the_same_bits(
     resumed = resume_run(tmp_path / "cut")
     assert [end.ropes for end in resumed.ends] == [("b",), ("d",)]
     assert (told["status"], len(told["ends"])) == ("running", 1)
+    assert (
+        resumed.beyond is not None
+    )  # of the first break, which came before the end of the process
+    assert whole.beyond is not None
+    np.testing.assert_array_equal(resumed.beyond.positions, whole.beyond.positions)
     assert [(e.frames, e.time) for e in resumed.ends] == [(e.frames, e.time) for e in whole.ends]
     for name in whole.source.names:
         assert np.array_equal(resumed.read(name), whole.read(name), equal_nan=True), name

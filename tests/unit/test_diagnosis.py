@@ -123,9 +123,10 @@ def test_a_zigzag_is_seen_when_springs_have_turned_over() -> None:
     x[:, :, 0] = np.arange(21)
     x[2, :, 0] += 2.0 * pattern  # at once, and further than a segment is long
     x[3, :, 0] -= 40.0 * pattern
-    found = diagnose(stability(model), model.layout, x, 0.1, 1)
+    found = diagnose(stability(model), model.layout, x, 0.1, 6)
     assert found.zigzag < -0.9
     assert found.flip < -0.9
+    assert (found.time, found.step) == (0.1, 6)  # of the run; the zigzag is in step 1 of these
     # The twin, lengths alone: all of them grow.
     lengths = np.diff(np.linalg.norm(np.diff(x, axis=1), axis=2), axis=0)[1]
     assert (lengths >= 0.0).all()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import ropewalk as rw
@@ -220,3 +221,25 @@ def test_a_line_says_how_near_to_breaking_the_stiff_end_of_a_guess_brings_it() -
     assert "of the guessed breaking load" not in str(known)
     unknown = rw.line(10.0, 0.0, made_of.replace(breaking_load=None), length=10.0)
     assert "utilisation" not in str(unknown)
+
+
+def test_the_range_of_a_guessed_mass_is_in_the_tensions_of_a_line() -> None:
+    """At a given sag they are as the weight, and EA changes nothing."""
+    line = rw.line(100.0, 0.0, "locked-coil-30", sag=2.0)
+    guess = rw.rope("locked-coil-30").numbers["mass_per_length"]
+    assert guess.low is not None
+    assert guess.high is not None
+    light, heavy = line.with_mass(guess.low), line.with_mass(guess.high)
+    assert [light.sag, heavy.sag] == pytest.approx([line.sag] * 2, rel=1e-9)
+    pulls = [max(one.tensions) for one in (light, line, heavy)]
+    shares = [1.0 / guess.value * mass for mass in (guess.low, guess.value, guess.high)]
+    assert np.array(pulls) / pulls[1] == pytest.approx(shares, rel=1e-3)
+    (told,) = [note for note in line.notes() if note.startswith("mass")]
+    assert f"largest tension {pulls[0] / 1e3:.4g} kN to {pulls[2] / 1e3:.4g} kN" in told
+    loaded = [float(one.rolling(500.0).largest_tension.max()) for one in (light, heavy)]
+    assert (
+        f"with mass 4860 g/m to 5283 g/m the largest is {loaded[0] / 1e3:.4g} kN to {loaded[1] / 1e3:.4g} kN"
+        in str(line.rolling(500.0))
+    )
+    sure = rw.line(30.0, 0.0, line.material.replace(mass_per_length=5.0), sag=1.0)
+    assert "mass" not in "".join(sure.notes() + sure.rolling(80.0).notes())

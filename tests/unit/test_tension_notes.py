@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ropewalk as rw
-from ropewalk.record.tension_notes import wave_time
+from ropewalk.record.tension_notes import _is_pressed, wave_time
 from ropewalk.scene import Plane, Straight
 
 MEAN = "about the largest anchor force"
@@ -83,10 +83,10 @@ def test_the_segment_at_a_drum_reads_what_the_drum_holds() -> None:
     assert peak(run) == pytest.approx(float(run.table["largest anchor force [N]"]), rel=1e-3)
 
 
-def swinging(end: tuple[float, float, float], **run: float) -> rw.Scene:
+def swinging(end: tuple[float, float, float], segments: int = 20, **run: float | str) -> rw.Scene:
     made_of = rw.Material(EA=2e4, mass_per_length=0.06, axial_damping=5.0)
     rope = rw.Rope(
-        segments=20, length=5.0, made_of=made_of, shape=Straight(start=(0, 0, 0), end=end)
+        segments=segments, length=5.0, made_of=made_of, shape=Straight(start=(0, 0, 0), end=end)
     )
     settings = {"duration": 1.2, "method": "esdirk3", **run}
     return rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=settings)
@@ -100,3 +100,14 @@ def test_an_anchor_that_gives_less_than_its_segment_bears_says_that_it_is_a_mean
     apart = [abs(peak(run) / run.table["largest anchor force [N]"] - 1.0) for run in (coarse, fine)]
     assert apart[1] < 0.2 * apart[0]  # what the sentence says
     assert MEAN not in rw.simulate(rw.preset("r3")).table
+
+
+def test_only_what_presses_on_the_anchor_hides_that_its_force_is_a_mean() -> None:
+    """A floor far below the swing does not; the twin lies on one."""
+    far = {"obstacles": [Plane(point=(0, 0, -50.0))], "rope.diameter": 0.01}
+    result = rw.simulate(swinging((5.0, 0.0, 0.0), 16, method="bdf2").replace(**far))
+    assert result.table[MEAN].startswith("the mean over a step")
+    assert not _is_pressed(result, 0, 1.0)
+    near = {"obstacles": [Plane(point=(0, 0, -0.005))], "rope.diameter": 0.01, "anchors": []}
+    lying = rw.simulate(swinging((5.0, 0.0, 0.0), 5, duration=0.1).replace(**near))
+    assert _is_pressed(lying, 0, 0.1)

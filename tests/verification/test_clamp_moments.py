@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 import re
 
+import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Anchor, Clamp, Force, Material, Rope, Scene, Straight
+from ropewalk.scene import Anchor, Clamp, Force, Material, Rope, Scene, Straight, Winch
 
 PULL, EI, LENGTH, ACROSS = 5000.0, 50.0, 10.0, 1.0  # N, N m^2, m, N
 
@@ -74,3 +75,21 @@ def test_a_clamp_that_turns_a_curled_rope_out_of_its_plane_is_told(aside: float)
     told = any("a clamp's turn leaves" in words for words in rw.check(made).warnings)
     assert told == (aside > 0.0)
     assert (abs(rw.simulate(made).energy_error).max() > 1e-4) == told
+
+
+def test_a_clamp_at_a_drum_has_the_segment_that_is_off_it() -> None:
+    """What lay beside it at the start is wound up, and has no tension."""
+    cord = Material(EA=2e4, EI=0.2, mass_per_length=0.2, axial_damping=20.0)
+    rope = Rope(segments=10, length=5.0, made_of=cord, shape=Straight(end=(5.0, 0, 0)))
+    drum = Anchor(node=0, clamp=Clamp(direction=(1, 0, 0.5)))
+    run = {"duration": 0.9, "frame_rate": 50.0, "method": "rk4"}
+    reel = Winch(end="start", speed=-1.0)
+    result = rw.simulate(Scene(ropes=[rope], anchors=[drum], winches=[reel], run=run))
+    table = result.table
+    until = float(table["largest clamp moment at"].split()[-2])
+    frame = int(np.searchsorted(result.time, until))
+    assert not result.live[frame, 0]
+    tension = result.tension[frame, result.live[frame]][0]
+    assert table["about the largest clamp moment"].startswith(
+        f"too low: a rope as taut bends there within {math.sqrt(0.2 / tension):.3g} m"
+    )

@@ -98,9 +98,9 @@ def diagnose(
     clearest, zigzag = _zigzag(changes, alive, least)
     if not zigzag < _CLEAR:
         turned = np.where(alive[:, None], np.diff(segments, axis=0), 0.0)
-        step, value = _zigzag(turned, alive, least)
+        row, value = _zigzag(turned, alive, least)
         if value < _CLEAR:
-            changes, clearest, zigzag = turned, step, value
+            changes, clearest, zigzag = turned, row, value
     flip = _flip(changes, clearest)
     worst = _worst_node(changes, clearest, layout)
     if not zigzag < _CLEAR:

@@ -25,7 +25,7 @@ def rope_place(result: Result, noun: str, index: int, time: float) -> str:
     if not ends or "rest_length" not in result.source.names:
         return plain
     span = result.layout.span(name)
-    off = _off_drums(result, span, time)
+    off = off_drums(result, span, time)
     if not off.any():
         return plain
     first, last = int(off[0]), int(off[-1])
@@ -43,7 +43,7 @@ def rope_place(result: Result, noun: str, index: int, time: float) -> str:
     return f"{plain}, paid out from the drum"
 
 
-def _off_drums(result: Result, span: Span, time: float) -> Ints:
+def off_drums(result: Result, span: Span, time: float) -> Ints:
     """Return which segments of a rope, counted along it, are not on a drum, in order."""
     frame = min(int(np.searchsorted(result.time, time)), result.good_frames - 1)
     rest = result.read("rest_length", frame, frame + 1)[0]

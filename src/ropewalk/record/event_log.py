@@ -10,7 +10,7 @@ import json
 from pathlib import Path
 from typing import Any
 
-from ropewalk.record.facts import ROPE_BROKE, now
+from ropewalk.record.facts import BROKE, ROPE_BROKE, now
 from ropewalk.record.place import EVENTS as NAME
 from ropewalk.record.seal import log_fault, sealed_line
 
@@ -75,6 +75,5 @@ def until(events: tuple[Event, ...], time: float) -> tuple[Event, ...]:
 
 
 def _is_of_the_scene(event: Event) -> bool:
-    return (
-        bool({"anchor", "winch", "segment", "slide"} & event.keys()) or event["event"] == ROPE_BROKE
-    )
+    named = bool({"anchor", "winch", "segment", "slide"} & event.keys())
+    return named or event["event"] in (BROKE, ROPE_BROKE)

@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.record.drums import off_drums
 from ropewalk.record.extremes import Extreme
 
 if TYPE_CHECKING:
+    from ropewalk.lowering.layout import Span
     from ropewalk.record.result import Result
 
 _LOW = 0.02  # [1] by which a moment may be too low without a word
@@ -30,7 +32,7 @@ def moment_note(result: Result, moment: Extreme) -> str:
     name, _ = result.layout.rope_of(node)
     rope, span = result.scene.rope_named(name), result.layout.span(name)
     frame = min(int(np.searchsorted(result.time, moment.until)), result.good_frames - 1)
-    beside = slice(max(node - 1, span.start), min(node + 1, span.end))
+    beside = _beside(result, span, node, moment.until)
     tension = float(result.read("tension", frame, frame + 1)[0, beside].max(initial=0.0))
     if not 0.0 < tension < math.inf:
         return ""
@@ -45,3 +47,14 @@ def moment_note(result: Result, moment: Extreme) -> str:
         f"do not show. It is about {share:.3g} times as large; {enough} segments or more have it to "
         f"{100.0 * _LOW:g} %"
     )
+
+
+def _beside(result: Result, span: Span, node: int, time: float) -> slice:
+    """Return the segments beside an anchor's node; at a drum the one that is off it at a time [s]."""
+    ends = [winch.end for winch in result.scene.winches if winch.rope == span.name]
+    off = off_drums(result, span, time) if ends else np.zeros(0, dtype=np.int64)
+    for end, at, last in (("start", span.start, 0), ("end", span.end, -1)):
+        if end in ends and node == at and off.size:
+            beside = span.first + int(off[last])
+            return slice(beside, beside + 1)
+    return slice(max(node - 1, span.first), min(node + 1, span.last))

@@ -15,7 +15,7 @@ from ropewalk.record.files import writing
 from ropewalk.record.folder import check_scene, is_packed, read_facts, read_scene
 from ropewalk.record.identity import check_same
 from ropewalk.record.lock import locked
-from ropewalk.record.place import DATA, session_folder
+from ropewalk.record.place import CHECKPOINT, DATA, session_folder
 from ropewalk.record.reader import Stored
 from ropewalk.record.result import Result
 from ropewalk.record.run import COMMIT_SECONDS, Recorder, finish
@@ -88,6 +88,9 @@ def _check_open(folder: Path, facts: Facts) -> None:
         raise RunError(folder, "holds an equilibrium, not a run: there is nothing to resume")
     if facts.status == BROKE:
         raise RunError(folder, f"broke; a broken run cannot be resumed. {facts.diagnosis}".rstrip())
+    if not (folder / CHECKPOINT).exists():
+        rule = "has no checkpoint, as a saved result has none: resume the folder it was run in"
+        raise RunError(folder, rule)
 
 
 def _take_up(folder: Path, simulation: Simulation, frames: int) -> Writer:

@@ -29,7 +29,7 @@ from ropewalk.record.facts import BROKE, FINISHED, INTERRUPTED, RUNNING, Facts, 
 from ropewalk.record.files import sync_all, writing
 from ropewalk.record.folder import begin, write_end, write_status
 from ropewalk.record.identity import source_hash
-from ropewalk.record.place import DATA, new_folder
+from ropewalk.record.place import BEYOND, DATA, new_folder
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import Room, Writer
@@ -134,6 +134,9 @@ class Recorder:
             ends=made.ends,
         )
         self.writer.flush()
+        past = self.runner.beyond
+        if made.ends and past is not None and not (self.folder / BEYOND).exists():
+            beyond.save(self.folder, past)  # a run that is resumed has it no longer
         checkpoint.save(self.folder, made)
         sync_all([self.folder])
         self.writer.show()

@@ -91,7 +91,7 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
     ends = [(span.first, span.first) for span in result.layout.ropes]
     ends += [(span.last, span.last - 1) for span in result.layout.ropes]
     moved = result.scene.anchors[force.place].motion.kind != "fixed"
-    borne = result.layout.touches or node in result.layout.tied_nodes  # by others, too
+    borne = node in result.layout.tied_nodes or _is_pressed(result, node, force.until)
     if (node, tension.place) not in ends or borne or moved:
         return ""
     rope, (_, number) = _rope_at(result, tension), result.layout.rope_of(node)
@@ -106,6 +106,14 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
         f"the mean over a step; at the end of one the segment it holds bore {tension.value:.6g} N, "
         f"{percent(100.0 * less / force.value)} more: shorter steps bring the two together"
     )
+
+
+def _is_pressed(result: Result, node: int, time: float) -> bool:
+    """Return whether anything touches a node in the frames about a time [s]."""
+    if "contact_force" not in result.source.names:
+        return result.layout.touches
+    frame = int(np.searchsorted(result.time, time))
+    return bool(result.read("contact_force", max(frame - 1, 0), frame + 1)[:, node].any())
 
 
 def curve_note(result: Result, longest: Extreme) -> str:

@@ -12,20 +12,19 @@ if TYPE_CHECKING:
     from ropewalk.rigging.lines import Line
     from ropewalk.rigging.rolling import Rolling
 
-_NO_END = "EA is a guess: at an end of its range no such line, or no rest of it, was found"
 
+def between(line: Line, number: str = "EA") -> tuple[Line, Line] | None:
+    """Return the line with the least and with the greatest EA (or mass) of a guess, set up alike.
 
-def between(line: Line) -> tuple[Line, Line] | None:
-    """Return the line with the least and with the greatest EA of a guess, set up alike.
-
-    None where EA is no guess, or a line with such an EA cannot be.
+    `number`: "EA" or "mass_per_length". None where it is no guess, or a line with such a one cannot be.
     """
-    guess = guesses_of(line.material).get("EA")
+    guess = guesses_of(line.material).get(number)
     if guess is None:
         return None
+    with_it = line.with_EA if number == "EA" else line.with_mass
     try:
-        return line.with_EA(guess.low), line.with_EA(guess.high)
-    except SceneError:
+        return with_it(guess.low), with_it(guess.high)
+    except (SceneError, ArithmeticError):
         return None
 
 
@@ -33,29 +32,12 @@ def line_notes(line: Line) -> list[str]:
     """Return what is to be known of the numbers of a line's rope, one a line."""
     notes = []
     known = {} if line.rope is None else line.rope.numbers
-    guess, ends = guesses_of(line.material).get("EA"), between(line)
-    if ends is not None:
-        soft, stiff = ends
-        pulls = [max(one.tensions) for one in ends]
-        notes.append(
-            f"EA {force(line.material.EA)} is a guess, from {force(soft.material.EA)} to "
-            f"{force(stiff.material.EA)}: length to cut {soft.length:.6g} to {stiff.length:.6g} m, "
-            f"largest tension {force(min(pulls))} to {force(max(pulls))}"
-            f"{most_used(max(pulls), line.material)}"
-        )
-    elif guess is not None:
-        notes.append(
-            f"EA {force(guess.value)} is a guess, from {force(guess.low)} to {force(guess.high)}: with an "
-            "end of that range no line can be set up like this, so length and tensions are guesses, too"
-        )
+    if "EA" in guesses_of(line.material):
+        notes.append(_of_guess(line, "EA"))
     elif line.rope is not None and "EA_static" not in known and line.rope.label:
         notes.append(f"EA {force(line.material.EA)} is that of a fall: at rest the rope is softer")
-    mass = guesses_of(line.material).get("mass_per_length")
-    if mass is not None:
-        low, high = 1e3 * mass.low, 1e3 * mass.high
-        notes.append(
-            f"mass {1e3 * mass.value:.4g} g/m is a guess, from {low:.4g} to {high:.4g} g/m"
-        )
+    if "mass_per_length" in guesses_of(line.material):
+        notes.append(_of_guess(line, "mass_per_length"))
     load = known.get("breaking_load")
     if line.material.breaking_load is None and load is not None and load.low is not None:
         notes.append(
@@ -66,21 +48,57 @@ def line_notes(line: Line) -> list[str]:
 
 
 def rolling_notes(rolling: Rolling) -> list[str]:
-    """Return the largest tension and utilisation under the load at the ends of a guessed EA's range."""
-    ends = between(rolling.line)
-    if ends is None:
-        return [_NO_END] if "EA" in guesses_of(rolling.line.material) else []
+    """Return the largest tension and utilisation under the load at the ends of what is guessed."""
+    line, notes = rolling.line, []
+    for number, (name, words) in _NUMBERS.items():
+        if number not in guesses_of(line.material):
+            continue
+        pulls = _pulls(rolling, number)
+        if pulls is None:
+            rule = "at an end of its range no such line, or no rest of it, was found"
+            notes.append(f"{name} is a guess: {rule}")
+            continue
+        guess = guesses_of(line.material)[number]
+        notes.append(
+            f"with {name} {words(guess.low)} to {words(guess.high)} the largest is "
+            f"{force(min(pulls))} to {force(max(pulls))}{most_used(max(pulls), line.material)}"
+        )
+    return notes
+
+
+def _pulls(rolling: Rolling, number: str) -> list[float] | None:
+    """Return the largest tension under the load at both ends of a guess [N]; None where there is none."""
     try:
-        pulls = [
+        return [
             float(
                 one.rolling(rolling.mass, held=rolling.held, at=rolling.place).largest_tension.max()
             )
-            for one in ends
-        ]
+            for one in between(rolling.line, number) or ()
+        ] or None
     except ArithmeticError:
-        return [_NO_END]
-    EAs = [force(one.material.EA) for one in ends]
-    return [
-        f"with EA {EAs[0]} to {EAs[1]} the largest is {force(min(pulls))} to {force(max(pulls))}"
-        f"{most_used(max(pulls), rolling.line.material)}"
-    ]
+        return None
+
+
+def _of_guess(line: Line, number: str) -> str:
+    """Return what the range of a guess makes of a line's length and tension."""
+    guess, ends = guesses_of(line.material)[number], between(line, number)
+    name, words = _NUMBERS[number]
+    head = (
+        f"{name} {words(guess.value)} is a guess, from {words(guess.low)} to {words(guess.high)}: "
+    )
+    if ends is None:
+        rule = "with an end of that range no line can be set up like this"
+        return f"{head}{rule}, so length and tensions are guesses, too"
+    pulls, lengths = [max(one.tensions) for one in ends], [one.length for one in ends]
+    return (
+        f"{head}length to cut {min(lengths):.6g} to {max(lengths):.6g} m, "
+        f"largest tension {force(min(pulls))} to {force(max(pulls))}"
+        f"{most_used(max(pulls), line.material)}"
+    )
+
+
+def _mass(mass_per_length: float) -> str:
+    return f"{1e3 * mass_per_length:.4g} g/m"
+
+
+_NUMBERS = {"EA": ("EA", force), "mass_per_length": ("mass", _mass)}

@@ -103,7 +103,16 @@ class Line:
 
         Raises SceneError where such a line cannot have it.
         """
-        made = self.material.replace(EA=EA)
+        return self._with(self.material.replace(EA=EA))
+
+    def with_mass(self, mass_per_length: float) -> Line:
+        """Return the line of a rope of another mass per length [kg/m], set up as `with_EA` does it.
+
+        Raises SceneError where such a line cannot have it.
+        """
+        return self._with(self.material.replace(mass_per_length=mass_per_length))
+
+    def _with(self, made: Material) -> Line:
         cable, words = _hung(self.span, self.height_difference, made, self.gravity, *self.set_up)
         return Line(cable, made, self.diameter, self.gravity, words, self.rope, self.set_up)
 

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.record.books import told
 from ropewalk.record.quantities import BY_NAME, labels
 from ropewalk.record.result import Result
 from ropewalk.scene import SceneError
@@ -78,7 +79,7 @@ def _sag(result: Result) -> Floats:
     up = np.asarray(result.scene.up)
     found = np.zeros((result.frames, len(result.layout.ropes)))
     for column, span in enumerate(result.layout.ropes):
-        points = result.positions[:, span.start : span.end + 1]
+        points = result.positions[:, span.first : span.last + 1]  # with what winches pay out
         from_first = points - points[:, :1]
         heights = from_first @ up
         level = from_first - heights[..., None] * up
@@ -188,7 +189,7 @@ class Kept:
         elif derived is not None:
             array = derived.of(result)
         elif self.quantity in result.source.names:
-            array = result.read(self.quantity)
+            array = told(result, self.quantity, result.read(self.quantity))
         else:
             raise KeyError(f"the runs have no {self.quantity}; there is {_known(result)}")
         if self.picks is not None:

@@ -1,0 +1,38 @@
+"""What is kept of a run is what the run itself says."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.scene import Anchor, Material, Plane, Rope, Scene, Slack, Straight, Winch
+from ropewalk.sweeps.keep import DERIVED, parse
+
+CORD = Material(EA=2e4, mass_per_length=0.2, axial_damping=20.0)
+
+
+@pytest.mark.parametrize("end", ["start", "end"])
+def test_the_sag_of_a_rope_on_a_winch_has_what_is_paid_out(end: str) -> None:
+    """Below the line between its ends, not below one to where the first rope has gone."""
+    rope = Rope(segments=12, length=6.6, made_of=CORD, shape=Slack(end=(6.0, 0, 0)))
+    anchors = [Anchor(name="left", node=0), Anchor(name="right", node=-1)]
+    run = {"duration": 2.0, "frame_rate": 20.0, "method": "sdirk2", "time_step": 0.01}
+    scene = Scene(ropes=[rope], anchors=anchors, winches=[Winch(end=end, speed=1.0)], run=run)
+    result = rw.simulate(scene)
+    sag = DERIVED["sag"].of(result)[:, 0]
+    assert sag == pytest.approx(-result.positions[:, :, 2].min(axis=1), rel=1e-6)
+    assert sag[-1] > 1.4 * sag[0]
+
+
+def test_works_of_contacts_are_since_the_start() -> None:
+    """A rope that lies in the ground from the beginning has stored work there."""
+    low = Straight(start=(0, 0, 0.005), end=(1.0, 0, 0.005))
+    rope = Rope(segments=4, length=1.0, diameter=0.01, made_of=CORD, shape=low)
+    run = {"duration": 0.02, "frame_rate": 100.0, "method": "sdirk2", "start": "at-rest"}
+    floor = Plane(name="floor", friction=0.3)
+    result = rw.simulate(Scene(ropes=[rope], obstacles=[floor], run=run))
+    assert result.read("contact_work", 0, 1).any()
+    kept, _ = parse("contact_work[-1]").of(result)
+    said = [array[-1] for array in result.contact_work["floor"].values()]
+    np.testing.assert_array_equal(kept[0], said)
