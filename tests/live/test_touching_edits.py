@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from live.drive import do, slack_rope
+from property.test_islands import on_floor
 from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.table import CONTACTS, PUSH
 from ropewalk.live import describe
@@ -22,6 +23,7 @@ from ropewalk.scene import (
     RunSettings,
     Scene,
     SceneError,
+    Velocity,
 )
 from ropewalk.simulation import Simulation
 from unit.test_pair_memory import crossed
@@ -85,6 +87,21 @@ def test_a_floor_that_is_made_softer_does_not_stop_what_is_over_it(method: str) 
     made = carry_over(simulation, falling(1e-2, method), source)
     made.advance_frames(1)
     assert np.allclose(made.velocities[:, 2], -1.0 - 9.81 * 6 / 240, rtol=1e-6)
+
+
+@pytest.mark.parametrize("ropes", [1, 2])
+def test_an_edit_books_no_slip_on_a_floor_that_moves_sideways(ropes: int) -> None:
+    """Of two ropes that nothing ties the floor's whole way since t = 0 was slip in the step after."""
+    scene = on_floor(Velocity(velocity=(0.1, 0.0, 0.0)), ropes, friction=0.9)
+    simulation, other = Simulation(scene), Simulation(scene)
+    simulation.advance_frames(40)
+    other.advance_frames(40)
+    made = carry_over(simulation, scene, same_nodes(simulation.layout))
+    for one in (made, other):
+        one.advance_frames(2)
+    assert np.allclose(made.positions, other.positions, rtol=0.0, atol=1e-12)
+    works = [one.recording().recording.work[-1] for one in (made, other)]
+    assert np.allclose(*works, rtol=0.0, atol=1e-9)
 
 
 def test_contacts_that_an_edit_leaves_alone_carry_on_as_hard_as_they_are() -> None:

@@ -20,7 +20,17 @@ from ropewalk.engine import islands
 from ropewalk.engine.partition import partition
 from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
-from ropewalk.scene import Anchor, Material, Rope, Scene, SceneError, Slack, Straight, Velocity
+from ropewalk.scene import (
+    Anchor,
+    Material,
+    Plane,
+    Rope,
+    Scene,
+    SceneError,
+    Slack,
+    Straight,
+    Velocity,
+)
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block, join
 from strategies import scenes
@@ -332,3 +342,23 @@ def test_a_copy_goes_its_own_way_to_the_same_bits(
     simulation.step(0.002)
     assert bits(other) == bits(simulation)
     assert other.positions[0].tolist() == [0.0, 0.0, 0.1]
+
+
+def on_floor(motion: Velocity, ropes: int = 2, friction: float = 0.3) -> Scene:
+    """Ropes of 30 cm that lie beside each other on a floor that moves."""
+    made_of = Material(EA=2000.0, mass_per_length=0.2, axial_damping=0.5)
+    shapes = [Straight(start=(0, k, 0.006), end=(0.3, k, 0.006)) for k in range(ropes)]
+    lying = [
+        Rope(name=f"rope{k}", segments=3, length=0.3, diameter=0.01, made_of=made_of, shape=shape)
+        for k, shape in enumerate(shapes)
+    ]
+    run = {"method": "esdirk3", "time_step": 5e-3, "frame_rate": 200.0}
+    return Scene(ropes=lying, obstacles=[Plane(friction=friction, motion=motion)], run=run)
+
+
+def test_a_frame_is_read_with_obstacles_where_they_are_now() -> None:
+    """Of ropes on a floor that rises what contacts press was read with the floor of the start: 0 N."""
+    simulation = Simulation(on_floor(Velocity(velocity=(0.0, 0.0, 0.5)), ropes=2))
+    block = simulation.advance_frames(5)
+    assert np.array_equal(simulation.recording().recording.contact[-1], block.recording.contact[-1])
+    assert simulation.recording().recording.contact[-1, 2].min() > 0.05  # N

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 import ropewalk as rw
+import runs
 from ropewalk.scene import (
     Anchor,
     Limiter,
@@ -92,3 +95,15 @@ def test_an_explicit_run_that_a_limiter_drives_says_so() -> None:
 
     assert "% of the energy turned over, are in no law's work" in told("semi-implicit-euler")
     assert told("verlet") == ""
+
+
+def test_books_that_hold_no_numbers_are_told() -> None:
+    """Of a sound run, whose table would else tell the error of the time before, and no more."""
+    result = rw.simulate(runs.hanging(duration=0.5))
+    assert "about the energy" not in result.table
+    result.source.read("work")[3:, list(result.work).index("friction")] = np.nan
+    lost = rw.Result(result.scene, result.layout, result.source, result.facts)
+    note = lost.table["about the energy"]
+    assert note.startswith(
+        f"its books hold no numbers from t = {result.time[3]:.6g} s on (work: friction)"
+    )

@@ -102,3 +102,45 @@ def test_what_lies_on_a_drum_is_no_rope() -> None:
     on_drum = winched.rest_length == 0.0
     assert on_drum.any()
     assert not winched.live[on_drum].any()
+
+
+def test_its_stretch_is_its_length_to_a_verdict() -> None:
+    """Drawn to a centimetre and let fall on an end, it turns over more than it has at first: it "broke"."""
+    springs = rw.Springs(spring_constant=100.0, node_mass=0.1, segment_length=0.0)
+    shape = Straight(end=(0.01, 0, 0))
+    scene = rw.Scene(
+        ropes=[rw.Rope(segments=5, made_of=springs, shape=shape)],
+        anchors=[rw.Anchor(node=0)],
+        run=rw.RunSettings(duration=0.5, method="semi-implicit-euler"),
+    )
+    result = rw.simulate(scene)
+    assert result.status == "finished"
+    assert result.positions[:, -1, 2].min() < -0.1  # far more than a centimetre
+    assert result.table["largest energy error, share of the energy turned over [%]"] < 20.0
+
+
+def test_it_touches_rope_in_implicit_steps() -> None:
+    """No Newton step was short enough for a segment of no length: "found no solution of step 1"."""
+    springs = rw.Springs(
+        spring_constant=200.0, node_mass=0.05, segment_length=0.0, spring_friction=0.2
+    )
+    lines = {"a": ((-0.2, 0, 0), (0.2, 0, 0)), "b": ((0, -0.2, 0.011), (0, 0.2, 0.011))}
+    ropes = [
+        rw.Rope(
+            name=name,
+            segments=4,
+            made_of=springs,
+            diameter=0.01,
+            shape=Straight(start=start, end=end),
+        )
+        for name, (start, end) in lines.items()
+    ]
+    scene = rw.Scene(
+        ropes=ropes,
+        contact=rw.Contact(),
+        anchors=[rw.Anchor(rope="a", node=node) for node in (0, -1)],
+        run=rw.RunSettings(method="esdirk3", time_step=1e-3, duration=0.1, frame_rate=100.0),
+    )
+    result = rw.simulate(scene)
+    assert result.status == "finished"
+    assert result.work["contact"].min() < 0.0  # they have met

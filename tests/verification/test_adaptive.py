@@ -17,8 +17,9 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.engine.unsolved import describe
 from ropewalk.lowering import build
-from ropewalk.methods.controller import break_times
+from ropewalk.methods.controller import ERROR, break_times, largest_inner_error
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.scene import (
@@ -353,6 +354,21 @@ def test_the_shortest_step_ends_the_run_with_words() -> None:
     assert simulation.time < 1e-9  # that of the last accepted step, not of the frame
     z = math.sin(2.0 * math.pi * 1e9 * simulation.time)
     assert simulation.positions[0, 2] == pytest.approx(z, abs=1e-9)
+
+
+def test_a_segment_that_errs_is_told_as_a_segment() -> None:
+    """Of what segments remember the error is a segment's; its number stood there as a node's."""
+    stuff = SOFT.replace(relaxing_EA=100.0, relaxation_time=0.1)
+    simulation = Simulation(falling(stuff, 4))
+    scratch = simulation._engine.scratch
+    lengths, rates = np.full(4, 0.25), np.zeros((2, 4))
+    rates[1, 2] = 1.0
+    scratch.walk.control[ERROR] = 0.0
+    largest_inner_error(
+        rates, np.array([0.5, 0.5]), np.array([1.0, 0.0]), 1e-2, lengths, scratch.walk.control
+    )
+    told = describe(simulation.model, simulation.state.state, (0.0, 1.0, 0), scratch)
+    assert "at segment 2 of rope 'rope' its estimated error is 0.00125 m" in told
 
 
 def test_what_is_refused() -> None:

@@ -66,3 +66,37 @@ def test_a_stub_between_a_drum_and_a_break_parts(method: str) -> None:
     assert [one.segment for one in result.partings] == [1, 0]
     assert result.partings[0].tension < 110.0
     assert not result.tension[-1].any()
+
+
+def test_a_winch_whose_last_segment_has_parted_books_no_work() -> None:
+    """Two drums haul 5 kg by a rope of one segment each, of which one parts: its winch's work was NaN.
+
+    The table then told the largest error of the time before, and not a word of the rest.
+    """
+    places = {"a": ((-0.6, 0, 0.8), -0.5, 60.0), "b": ((0.6, 0, 0.8), -0.3, None)}
+    made_of = rw.Material(EA=2000.0, mass_per_length=0.2, axial_damping=2.0)
+    scene = rw.Scene(
+        ropes=[
+            rw.Rope(
+                name=name,
+                segments=1,
+                length=0.8,
+                made_of=made_of.replace(breaking_load=load, parts=load is not None),
+                shape=Straight(start=top, end=(0, 0, 0)),
+                loads=[{"node": -1, "mass": 2.5}],
+            )
+            for name, (top, _, load) in places.items()
+        ],
+        joints=[rw.Joint(points=[{"rope": "a", "node": -1}, {"rope": "b", "node": -1}])],
+        anchors=[rw.Anchor(rope=name, node=0) for name in places],
+        winches=[
+            rw.Winch(rope=name, end="start", speed=speed, **({"stop": 0.1} if name == "a" else {}))
+            for name, (_, speed, _) in places.items()
+        ],
+        run=rw.RunSettings(method="esdirk3", time_step=1e-3, duration=0.2, frame_rate=100.0),
+    )
+    result = rw.simulate(scene)
+    assert [(one.rope, one.segment) for one in result.partings] == [("a", 0)]
+    assert np.isfinite(result.work["winch"]).all()
+    assert np.isfinite(result.energy_errors).all()
+    assert "about the energy" not in result.table

@@ -201,13 +201,17 @@ class Engine:
         balance[HONEST] = balance[ZERO] - height + self._energy_scale()
 
     def _energy_scale(self) -> float:
-        """Weight and constant forces times length of all ropes [J], and a little elastic energy without."""
+        """Weight and constant forces times length of all ropes [J], and a little elastic energy without.
+
+        The length is that of all in a row, hung up by an end: springs of no length have only its stretch.
+        """
         state = self.state
         pull = float(np.linalg.norm(self.system.gravity) * state.mass.sum())
         pull += float(np.linalg.norm(state.forces.applied, axis=0).sum())
-        gives = np.isfinite(state.stiffness)
-        elastic = 0.5 * state.stiffness * state.rest_length**2
-        return pull * float(state.rest_length.sum()) + 1e-6 * float(elastic[gives].sum())
+        gives = np.isfinite(state.stiffness) & (state.stiffness > 0.0)
+        stiffness, own = state.stiffness[gives], state.rest_length[gives]
+        length = float(state.rest_length.sum()) + pull * float((1.0 / stiffness).sum())
+        return pull * length + 0.5e-6 * float((stiffness * own**2).sum())
 
     @property
     def scratch(self) -> Any:

@@ -166,6 +166,7 @@ class Islands:
         for name, places in links.sums.items():
             work[name][...] = self._sea[places].sum(axis=0)
         self.state.past[0] = self._sea[links.past].max()
+        self.state.now[:] = self._sea[links.now].max(axis=0)  # one that has ended stays behind
 
     def _spread(self) -> None:
         """Take up in the islands what the whole has, and what hands have changed there."""
@@ -178,6 +179,10 @@ class Islands:
             self._sea[places[0]] += work[name] - self._sea[places].sum(axis=0)
         if self.state.past[0] == 0.0:  # a multistep method is to begin anew
             self._sea[links.past] = 0.0
+        if not np.array_equal(self.state.now, self._sea[links.now].max(axis=0)):
+            self._sea[links.now] = (
+                self.state.now
+            )  # it comes from elsewhere, as of a scene that was edited
         rows, wound, clamped = self._rows
         self._own.kinds[:] = self.controls.kinds[rows]
         self._own.drive[:] = self.controls.drive[:, wound]

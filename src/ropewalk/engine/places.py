@@ -20,6 +20,7 @@ class Links(NamedTuple):
     moved: Ints  # ... and what is taken off those of the whole
     sums: dict[str, Ints]  # of what is added up over islands, in theirs, (k, m)
     past: Ints  # (k,) how much every island's method remembers, in theirs
+    now: Ints  # (k, 2) the times of every island's laws, in theirs
 
 
 def find_links(
@@ -37,7 +38,8 @@ def find_links(
         firsts.append(_start(state.x, sea))
     found: list[list[Ints]] = [[np.zeros(0, np.int64)] for _ in range(4)]
     sums = {name: np.zeros((len(shares), 2), np.int64) for name in SUMS}
-    past, count = np.zeros(len(shares), np.int64), 0
+    past, now = np.zeros(len(shares), np.int64), np.zeros((len(shares), 2), np.int64)
+    count = 0
     for numbers in alike.values():
         model: dict[str, Any] = flatten(_places(states[numbers[0]], sea))
         offsets = np.array(firsts)[numbers] - firsts[numbers[0]]
@@ -52,8 +54,9 @@ def find_links(
         for name, rows in sums.items():
             rows[numbers] = offsets[:, None] + model[name]
         past[numbers] = offsets + model["past"][0]
+        now[numbers] = offsets[:, None] + model["now"]
     at, own, indices, moved = (np.concatenate(parts) for parts in found)
-    return Links(at, own, indices, moved, sums, past)
+    return Links(at, own, indices, moved, sums, past, now)
 
 
 def _pairs(

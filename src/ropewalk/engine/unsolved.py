@@ -100,7 +100,7 @@ def _describe_shortest(
     model: Model, state: State, tolerance: float, longest: float, scratch: Any
 ) -> str:
     """Say where the adaptive method found no step short enough, and what to try."""
-    time, node, error = adaptive.failure(scratch)
+    time, place, error = adaptive.failure(scratch)
     layout, taken = model.layout, float(scratch.walk.control[LONGEST])
     text = f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s"
     if refused := refused_pair(state, layout, model.scene, model.plan, taken):
@@ -108,8 +108,9 @@ def _describe_shortest(
     if not math.isfinite(error):
         why, helps = _what_is_left(layout, state, scratch.stage), finer(model.plan, taken)
     else:
-        rope, index = layout.rope_of(node)
-        why = f"at node {index} of rope {rope!r} "
+        rope, index = layout.rope_of(place if place >= 0 else -1 - place)
+        what = "node" if place >= 0 else "segment"
+        why = f"at {what} {index} of rope {rope!r} "
         why += f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
         helps = ("a larger tolerance",)
     if too_far := _too_far(layout, state, longest, scratch):

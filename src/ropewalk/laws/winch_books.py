@@ -55,7 +55,8 @@ def book_end(system, state, x, begin, end, turning):
             turning[row, REACH] = reach  # for `book_memory`
             continue
         wound = (turning[row, WOUND] + turning[row, BACK]) * (end - begin) / turning[row, STEP]
-        state.work.winch[1] += wound * length_slope(system, state, working, reach)
+        if wound != 0.0:  # of a last segment that has parted, whose length is 0, there is no slope
+            state.work.winch[1] += wound * length_slope(system, state, working, reach)
     wind_to(system, state, end, turning)
 
 

@@ -356,6 +356,6 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
 
 
 def failure(scratch: AdaptiveScratch) -> tuple[float, int, float]:
-    """Return time [s], node and estimated error [m] of the step that failed; inf: it has no solution."""
+    """Return time [s], place (see `controller.NODE`) and error [m] of the step that failed; inf: unsolved."""
     control = scratch.walk.control
     return float(control[END]), int(control[NODE]), float(control[ERROR])

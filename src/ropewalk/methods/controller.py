@@ -31,7 +31,8 @@ UNSOLVED_SHARE = 0.25  # of a step whose equations have no solution, for the nex
 
 # Places in the array `control`. BEGIN and END [s] are those of the last step, WISH [s] the next one's
 # length (0: none yet), BEFORE the last error over the tolerance; then counts and extremes of accepted
-# steps, and error [m] and node of the last step tried (inf: its equations have no solution).
+# steps, and error [m] and node, or -1 - segment, of the last step tried (inf: its equations have no
+# solution).
 BEGIN, END, WISH, BEFORE, ACCEPTED, REJECTED, SHORTEST, LONGEST, ERROR, NODE, BEGUN = range(11)
 
 
@@ -71,7 +72,7 @@ def largest_error(u, b, embedded, dt, inverse_mass, control):
 
 @kernel
 def largest_inner_error(rates, b, embedded, dt, rest_length, control):
-    """Raise the error of a step to the largest of what segments remember [m], and its node to theirs.
+    """Raise the error of a step to the largest of what segments remember [m], and its place to -1 - theirs.
 
     `rates` (stages, s) [1/s] of inner strains; (stages, 0) where nothing remembers.
     """
@@ -81,7 +82,7 @@ def largest_inner_error(rates, b, embedded, dt, rest_length, control):
             error += (b[s] - embedded[s]) * rates[s, j]
         error = dt * abs(error) * rest_length[j]
         if not error <= control[ERROR]:
-            control[ERROR], control[NODE] = error, j
+            control[ERROR], control[NODE] = error, -1 - j
 
 
 @kernel

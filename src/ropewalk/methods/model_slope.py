@@ -45,7 +45,7 @@ def longest_part(moved, rest_length, alive):
     """Return the part of the Newton step that no segment is too short for, 1 at most."""
     most = 0.0
     for j in range(rest_length.shape[0]):
-        if alive[j] == 0.0:
+        if alive[j] == 0.0 or rest_length[j] == 0.0:  # springs of no length are never too short
             continue
         square = 0.0
         for k in range(3):

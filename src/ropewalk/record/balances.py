@@ -74,6 +74,25 @@ _OF_HANDS = (
 )
 
 
+def lost_note(result: Result) -> str:
+    """Say from when on the books of energy of frames before a break hold no numbers; "" where all do."""
+    if not result.facts.ledger:
+        return ""
+    good = result.good_frames
+    works = {name: work[:good] for name, work in result.work.items()}
+    rows = np.stack([result.energy_error[:good], *result.energy_errors[:good].T, *works.values()])
+    lost = ~np.isfinite(rows).all(axis=0)
+    if not lost.any():
+        return ""
+    since = int(np.argmax(lost))
+    names = [name for name, work in works.items() if not np.isfinite(work[since])]
+    of = f" (work: {', '.join(names)})" if names else ""
+    return (
+        f"its books hold no numbers from t = {result.time[since]:.6g} s on{of}, and the errors here are "
+        "those before it. That is a fault of Ropewalk: please report it"
+    )
+
+
 def energy_note(result: Result, error: Floats, share: float) -> str:
     """Say by how much the energy of an automatic run is wrong, where it is by too much; else "".
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.record.balances import energy_note
+from ropewalk.record.balances import energy_note, lost_note
 from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
@@ -66,7 +66,7 @@ def summary(result: Result) -> dict[str, Any]:
         "largest energy error, share of the energy turned over [%]": share,
         **(
             {"about the energy": note}
-            if (note := energy_note(result, errors.ravel(), share))
+            if (note := lost_note(result) or energy_note(result, errors.ravel(), share))
             else {}
         ),
         **({"about the stretch limiter": note} if (note := limiter_note(result)) else {}),
