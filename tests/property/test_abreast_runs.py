@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
+import threading
+from collections.abc import Callable, Iterable
 from typing import Any
 from unittest import mock
 
@@ -15,8 +16,10 @@ from ropewalk.cli import progress
 from ropewalk.core.jit import PLAIN
 from ropewalk.core.status import UNSOLVED
 from ropewalk.engine import crews, islands
+from ropewalk.engine.frames import Frames
 from ropewalk.engine.islands import Islands
 from ropewalk.lowering import build, with_all_laws
+from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Limiter, Rope, Scene
 from ropewalk.simulation import Simulation
@@ -349,3 +352,21 @@ def test_threads_change_no_bit(ledger: bool, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(islands, "LONG", -1.0)
     for _ in range(5):
         assert moved() == first
+
+
+@compiled
+def test_each_thread_collects_what_its_ropes_have_recorded(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where one thread did that for all, two were 1.4 times as fast as one."""
+    seen = set[str]()
+    collect = Frames.collect_lines
+
+    def noted(frames: Frames, out: Recording, rows: int, numbers: Iterable[int]) -> None:
+        seen.add(threading.current_thread().name)
+        collect(frames, out, rows, numbers)
+
+    monkeypatch.setattr(Frames, "collect_lines", noted)
+    monkeypatch.setattr(islands, "threads", 2)
+    monkeypatch.setattr(islands, "LONG", -1.0)
+    Simulation(ropes_of(16, 33, 4, "sdirk2")).advance_frames(islands.FEW + 1)
+    assert seen
+    assert all(name.startswith("islands") for name in seen)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import gc
 import math
 import pickle
 import sys
@@ -295,6 +296,32 @@ def hung(method: str, ropes: int) -> Simulation:
 def bits(simulation: Simulation) -> bytes:
     state = simulation.state
     return b"".join(part.tobytes() for part in (*flatten(state.state).values(), state.inner))
+
+
+def test_what_is_the_same_of_all_ropes_is_made_once() -> None:
+    """Tables of the first rope are those of the second; anchors and flags each has for itself."""
+    first, second, *_ = hung("sdirk2", 3)._engine.engines  # type: ignore[union-attr]
+    one, other = flatten(first.system), flatten(second.system)
+    own = {name for name, array in one.items() if np.size(array) and array is not other[name]}
+    assert {name for name in own if not name.startswith("anchors.")} == {"acts", "flags", "gravity"}
+    assert not np.array_equal(one["anchors.params"], other["anchors.params"])
+
+
+def test_no_cycles_are_looked_for_while_ropes_are_built() -> None:
+    """Every search went through all that was made so far."""
+    model, searches = hung("sdirk2", 200).model, list[str]()
+
+    def note(phase: str, _: object) -> None:
+        searches.append(phase)
+
+    gc.collect()
+    gc.callbacks.append(note)
+    try:
+        Simulation(model)
+    finally:
+        gc.callbacks.remove(note)
+    assert searches.count("start") <= 3  # else 44
+    assert gc.isenabled()
 
 
 @pytest.mark.parametrize("method", ["sdirk2", "adaptive", "verlet"])

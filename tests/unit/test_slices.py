@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from ropewalk.core.arrays import flatten
-from ropewalk.engine.slices import GROWTH, SLICE, Slices
+from ropewalk.core.status import OK
+from ropewalk.engine.slices import GROWTH, SLICE, Edges, Slices
+from ropewalk.methods.recording import Recording
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 from runs import hanging
@@ -27,6 +29,24 @@ def test_slices_grow_and_shrink_with_what_a_step_costs() -> None:
     assert spend(1, 60.0) == 1  # compiled on the way
     assert spend(1, 1e-6) == int(GROWTH)
     assert spend(0, 60.0) == int(GROWTH)  # nothing was done, nothing learned
+
+
+@pytest.mark.parametrize(("frames", "most", "calls"), [(60, 29, [20, 20, 20]), (7, 4, [4, 3])])
+def test_calls_of_a_block_are_about_as_long(frames: int, most: int, calls: list[int]) -> None:
+    """No short call is left over: its steps cost more, and the next block would be cut by that."""
+    seen: list[int] = []
+
+    def call(
+        steps: int, count: int, out: Recording, stop: bool, edges: Edges
+    ) -> tuple[int, int, int]:
+        seen.append(count)
+        return OK, count, 0
+
+    out = Recording(*(np.zeros((frames, 0)) for _ in Recording._fields))
+    slices = Slices(1, 1.0)
+    slices.most = most * 2 + 1
+    assert slices.run(call, lambda: lambda: None, 2, frames, out, True) == (OK, frames)
+    assert seen == calls
 
 
 class Counted(Slices):

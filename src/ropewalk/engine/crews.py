@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -102,6 +102,19 @@ def crews_of(mates: Sequence[Mate], ended: Floats) -> list[Crew]:
         for those in going.values():
             crews += [Crew(those[k : k + WIDTH], True) for k in range(0, len(those), WIDTH)]
     return crews
+
+
+def batches(crews: Sequence[Crew]) -> Iterator[list[Crew]]:
+    """Yield crews together that have as many islands as a register holds ropes, or a few more."""
+    batch, count = list[Crew](), 0
+    for crew in crews:
+        batch.append(crew)
+        count += len(crew.numbers)
+        if count >= WIDTH:
+            yield batch
+            batch, count = [], 0
+    if batch:
+        yield batch
 
 
 def go_alone(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -87,6 +87,8 @@ class Frames:
                 )
             )
         self._order = np.concatenate([group.numbers for group in self._groups])
+        spots = [(g, p) for g, group in enumerate(self._groups) for p in range(group.numbers.size)]
+        self._spots = dict(zip(self._order.tolist(), spots, strict=True))  # group, and place in it
         self._laws = len(names[1])
         self._size = 0, False  # frames of the last call, and whether with lengths
         self._made: list[Recording] = []  # of groups: (k, f, ...)
@@ -117,8 +119,28 @@ class Frames:
         self._size = frames, lengths
         return self._rooms
 
-    def collect(self, out: Recording, frames: int) -> None:
-        """Write the first `frames` frames of all islands, as they were made last, into those of the whole."""
+    def collect_lines(self, out: Recording, frames: int, numbers: Iterable[int]) -> None:
+        """Write what nodes and segments of some islands have recorded, as `collect` does.
+
+        Threads may do so at the same time, each for islands of its own.
+        """
+        runs: list[list[int]] = []  # group, first place and that after the last
+        for g, place in sorted(self._spots[k] for k in numbers):
+            if runs and runs[-1][0] == g and runs[-1][2] == place:
+                runs[-1][2] += 1
+            else:
+                runs.append([g, place, place + 1])
+        for g, first, last in runs:
+            found = Recording(*(array[first:last, :frames] for array in self._made[g]))
+            _collect_lines(out, frames, self._groups[g].shares[first:last], found)
+
+    def collect(self, out: Recording, frames: int, lines: bool = True) -> None:
+        """Write the first `frames` frames of all islands, as they were made last, into those of the whole.
+
+        Without `lines` those of nodes and segments are there, see `collect_lines`.
+        """
+        if lines:
+            self.collect_lines(out, frames, range(len(self._shares)))
         ends = [there.last for share in self._shares for there, _ in share.spans]
         between = [end for end in ends if end < self._whole.rest_length.size]
         for name in SEGMENTS_RECORDED:
@@ -129,7 +151,6 @@ class Frames:
         for name in ("moment", "moment_high"):
             getattr(out, name)[:frames] = 0.0
         for group, found in zip(self._groups, made, strict=True):
-            _collect_lines(out, frames, group.shares, found)
             for name in OF_ANCHORS:  # none where there is no clamp, or extremes are not wanted
                 own = getattr(found, name)
                 if own.shape[2]:

@@ -25,10 +25,9 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, flatten, pooled
 from ropewalk.core.deferred import clock, each, wait_too
-from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine.abreast import go_abreast
-from ropewalk.engine.crews import Crew, Crews, go_alone
+from ropewalk.engine.crews import Crew, Crews, batches, go_alone
 from ropewalk.engine.engine import (
     Asked,
     Controls,
@@ -41,13 +40,15 @@ from ropewalk.engine.engine import (
 )
 from ropewalk.engine.frames import Frames, hold_frames
 from ropewalk.engine.gate import Gate
+from ropewalk.engine.litter import kept_for_later
 from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
 from ropewalk.engine.shares import gather_peaks, shares_of
+from ropewalk.engine.shelf import on_shelf, size_of
 from ropewalk.engine.slices import Slices
 from ropewalk.engine.spare import Spare
 from ropewalk.engine.start import all_started, started
-from ropewalk.lowering import Model
+from ropewalk.lowering import Model, Pieces
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
@@ -58,6 +59,9 @@ ROUND = (
     2.0  # [s] about so long are all islands moved in one call; one that is stopped early is lost
 )
 LONG = 2e-3  # [s] a call that takes longer is worth threads
+FEW = (
+    8  # frames that are collected all at once: for each array that takes as long as copying so many
+)
 
 
 _here = local()  # what is so in one thread only
@@ -85,7 +89,8 @@ def make_engine(
     """
     groups = partition(model, apart)
     if len(groups) > 1:
-        return Islands(model, groups, ledger=ledger)
+        with kept_for_later():
+            return Islands(model, groups, ledger=ledger)
     model = started(model)
     room = None if spare is None else spare.filled(model.state)
     return Engine(model, controls_of(model.system), ledger=ledger, room=room)
@@ -103,7 +108,8 @@ class Islands:
             model = started(model)  # its modes are those of the whole scene
         self.shares = shares_of(model, groups)
         whole = flatten(model.state)
-        parts = all_started((share.cut(model, whole) for share in self.shares), groups)
+        keep = Pieces()
+        parts = all_started((share.cut(model, whole, keep) for share in self.shares), groups)
         self.state, self._pool = own_state(model)
         self.controls = controls_of(model.system)
         self.system = controlled(model.system, self.controls)
@@ -117,16 +123,19 @@ class Islands:
             state, _ = pooled(part.state, room)
             state = state._replace(peaks=on_shelf(state.peaks, self._shelf[seen:]))
             seen += size_of(state.peaks)
-            self.engines.append(Engine(part, controls, ledger=ledger, room=(state, room)))
+            own = replace(part, state=state)  # once is enough
+            self.engines.append(Engine(own, controls, ledger=ledger, room=(state, room)))
             self._rooms.append(slice(first, first + size))
             first += size
         states = [engine.state for engine in self.engines]
         self._links = find_links((self.state, self._pool), self.shares, states, self._sea)
+        self._carried = np.zeros(self._links.there.size, np.int64)
         self._frames = Frames(self.shares, states, self.state)
         self._gather()
         self.model = replace(model, state=arrays.copy(self.state), started=True)
         self._crews = Crews(self.engines)
         self._ended = np.zeros(len(self.engines))  # 1: it stays as it is
+        self._before = self.inner, self._pool.copy()  # as the last call began
         self._seconds, self._ledger = 0.0, ledger
         self._beside: ThreadPoolExecutor | None = None
 
@@ -159,7 +168,7 @@ class Islands:
     def _gather(self) -> None:
         """Write what the islands have into the arrays of the whole."""
         links, whole, sea = self._links, self._pool.view(np.int64), self._sea.view(np.int64)
-        values = sea[links.own]
+        values = sea.take(links.own, out=self._carried, mode="clip")
         values[links.indices] += links.moved
         whole[links.there] = values
         work = flatten(self.state)
@@ -171,7 +180,7 @@ class Islands:
     def _spread(self) -> None:
         """Take up in the islands what the whole has, and what hands have changed there."""
         links, whole, sea = self._links, self._pool.view(np.int64), self._sea.view(np.int64)
-        values = whole[links.there]
+        values = whole.take(links.there, out=self._carried, mode="clip")
         values[links.indices] -= links.moved
         sea[links.own] = values
         work = flatten(self.state)
@@ -209,7 +218,11 @@ class Islands:
     @property
     def inner(self) -> Floats:
         """A copy of all numbers of the islands' states, and which have ended, (m,)."""
-        return np.concatenate([self._sea, self._shelf, self._ended])
+        return self._inner(None)
+
+    def _inner(self, room: Floats | None) -> Floats:
+        """Copy these numbers, into an array where one is given."""
+        return np.concatenate([self._sea, self._shelf, self._ended], out=room)
 
     def restore(self, inner: Floats, walk: Walk) -> None:
         """Go back to the numbers of the islands and their walks; those of the whole are the caller's."""
@@ -288,7 +301,8 @@ class Islands:
         before a step without solution; where `asked` says so in between, and when anything is raised, where
         they stood.
         """
-        inner, walk, pool = self.inner, self.walk, self._pool.copy()
+        inner, walk, pool = self._inner(self._before[0]), self.walk, self._before[1]
+        pool[:] = self._pool
         try:
             self._spread()
             done = self._move(now, frames, out, stop, asked)
@@ -327,6 +341,10 @@ class Islands:
                 hold_frames(self.engines[k], outs[k], self._ledger)
 
         mates = self._crews.mates
+        crews = self._crews.now(self._ended)
+        alone = threads == 1 or getattr(_here, "alone", False)
+        beside = not alone and self._seconds * frames > LONG
+        lines = rows > FEW
 
         def go(crew: Crew) -> list[Moved]:
             first = crew.numbers[0]
@@ -336,10 +354,17 @@ class Islands:
             way = go_abreast if crew.abreast else go_alone
             return way(those, self._crews.slices(crew), now.copy(), frames, rooms, stop, asked)
 
-        alone = threads == 1 or getattr(_here, "alone", False)
-        crews = self._crews.now(self._ended)
-        beside = not alone and self._seconds * frames > LONG
-        parts = self._go_beside(go, crews) if beside else [go(crew) for crew in crews]
+        def run(some: list[Crew]) -> tuple[list[list[Moved]], float]:
+            moved, waited = list[list[Moved]](), 0.0
+            for batch in batches(some):
+                found, seconds = each(go, batch)
+                moved, waited = moved + found, waited + seconds
+                if lines:  # while they are at hand
+                    numbers = [k for crew in batch for k in crew.numbers]
+                    self._frames.collect_lines(out, rows, numbers)
+            return moved, waited
+
+        parts = self._go_beside(run, crews) if beside else run(crews)[0]
         found = dict(zip((k for crew in crews for k in crew.numbers), chain(*parts), strict=True))
         done = [found[k] for k in range(len(self.engines))]
         if frames:
@@ -347,10 +372,12 @@ class Islands:
         good = min(rows, min(moved.good for moved in done)) if stop else rows
         if not rows:
             return done
-        self._frames.collect(out, good)
+        self._frames.collect(out, good, not lines)
         return done
 
-    def _go_beside(self, go: Callable[[Crew], list[Moved]], crews: list[Crew]) -> list[list[Moved]]:
+    def _go_beside(
+        self, run: Callable[[list[Crew]], tuple[list[list[Moved]], float]], crews: list[Crew]
+    ) -> list[list[Moved]]:
         """Let threads move the islands, each a run of neighbours; wait for all, whatever is raised."""
         if self._beside is None:
             self._beside = ThreadPoolExecutor(threads, thread_name_prefix="islands")
@@ -358,27 +385,10 @@ class Islands:
 
         gate = Gate()
         try:  # from the first one on, they move the islands
-            jobs = [
-                self._beside.submit(gate.run, each, go, [crews[k] for k in part]) for part in parts
-            ]
+            jobs = [self._beside.submit(gate.run, run, [crews[k] for k in part]) for part in parts]
             found = [one for one in (job.result() for job in jobs) if one is not None]
         finally:
             gate.close()
         moved, seconds = zip(*found, strict=True)
         wait_too(max(seconds))
         return list(chain(*moved))
-
-
-def size_of(peaks: Peaks) -> int:
-    """Count the numbers of what was seen."""
-    return sum(part.size for part in peaks)
-
-
-def on_shelf(peaks: Peaks, room: Floats) -> Peaks:
-    """Return the same numbers in the first part of an array."""
-    views, first = [], 0
-    for part in peaks:
-        views.append(room[first : first + part.size].reshape(part.shape))
-        views[-1][...] = part
-        first += part.size
-    return Peaks(*views)

@@ -12,7 +12,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints, State, copy, flatten
 from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, VALUE
 from ropewalk.laws.registry import NAMES
-from ropewalk.lowering import Model, Pieces, Span
+from ropewalk.lowering import Layout, Model, Pieces, Span
 from ropewalk.lowering.layout import make_layout
 from ropewalk.lowering.system import make_tables
 from ropewalk.scene import Scene
@@ -123,10 +123,15 @@ class Share:
             if array.size and name not in _APART and not name.startswith(PEAKS)
         ]
 
-    def cut(self, model: Model, whole: dict[str, Floats]) -> Model:
-        """Return the model of the share: tables of its own, with the state that `model` has, `whole`."""
+    def cut(self, model: Model, whole: dict[str, Floats], keep: Pieces) -> Model:
+        """Return the model of the share: tables of its own, with the state that `model` has, `whole`.
+
+        Tables that are those of the last share, with the same `keep`, are its tables.
+        """
         layout = make_layout(self.scene)
-        system, made = make_tables(self.scene, layout, Pieces(), drawn=False)
+        named = self.scene.winches or self.scene.joints
+        common = layout if named or len(self.spans) > 1 else _nameless(layout)
+        system, made = make_tables(self.scene, common, keep, drawn=False)
         state = copy(made)  # nobody writes to what is made
         own = flatten(state)
         for name in self.names(own):
@@ -146,6 +151,12 @@ class Share:
         )  # one variant for all
         system = system._replace(anchors=anchors, rare=rare)
         return replace(model, scene=self.scene, system=system, state=state, layout=layout)
+
+
+def _nameless(layout: Layout) -> Layout:
+    """Return the layout of a rope by itself as that of any other, where nothing asks for it by name."""
+    (span,) = layout.ropes
+    return replace(layout, ropes=(replace(span, name=""),), anchor_names=())
 
 
 def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
@@ -209,7 +220,9 @@ def best_of(groups: list[tuple[list[Share], Floats]], order: Ints) -> Floats:
                 places[..., columns] = np.where(own < 0, -1, whole)
     sign = np.ones(len(EXTREMES))
     sign[[LEAST_TENSION, LOWEST]] = -1.0
-    found = np.concatenate([found for _, found in groups])[np.argsort(order)]
+    found = groups[0][1]
+    if len(groups) > 1:
+        found = np.concatenate([found for _, found in groups])[np.argsort(order)]
     which = np.argmax(np.where(found[:, PLACE] < 0.0, -np.inf, sign * found[:, VALUE]), axis=0)
     best: Floats = np.take_along_axis(found, which[None, None], axis=0)[0]
     return best

@@ -56,7 +56,7 @@ class Slices:
         good, begun = 0, False
         while True:
             left = frames - good
-            count = min(self.most // steps, left) if self._fixed else left
+            count = _even(left, self.most // steps) if self._fixed else left
             if count > 0 or left == 0:
                 room, edges = out.part(good, good + count), (begun, False)
                 status, done = self._timed(call, steps, count, room, stop, edges)
@@ -117,3 +117,12 @@ class Slices:
         if steps > 0:
             wish = self._span * steps / max(seconds, 1e-9)
             self.most = max(1, int(min(wish, GROWTH * max(self.most, steps))))
+
+
+def _even(left: int, most: int) -> int:
+    """Return how many of the frames that are left go into the next call, where it may have `most`.
+
+    All calls are about as long: of a short one at the end too little would be learned, and the buffers of
+    islands have room for as many frames as before.
+    """
+    return -(-left // -(-left // most)) if 0 < most < left else min(most, left)

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, State
 from ropewalk.core.status import OK
-from ropewalk.methods.recording import Recording
+from ropewalk.methods.recording import Recording, make_recording
+from ropewalk.simulation.pages import Room
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,11 @@ class Block:
         """Return the first `frames` frames."""
         kept = [None if part is None else part[:frames] for part in (self.pairs, self.obstacles)]
         return Block(self.time[:frames], self.recording.part(0, frames), self.status, *kept)
+
+
+def make_frames(state: State, frames: int, lengths: bool) -> Recording:
+    """Return buffers for frames, those with numbers of every node or segment in one piece of memory."""
+    return make_recording(state, frames, lengths, Room(frames, state.x.shape[1]))
 
 
 def join(blocks: list[Block]) -> Block:

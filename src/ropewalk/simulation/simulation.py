@@ -30,7 +30,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_sums
 from ropewalk.methods.watch import watch
 from ropewalk.scene import Scene
-from ropewalk.simulation.block import Block
+from ropewalk.simulation.block import Block, make_frames
 from ropewalk.simulation.rope_contacts import on_obstacles, one_by_one, rope_contacts
 from ropewalk.simulation.snapshot import Snapshot
 from ropewalk.words.annotations import unquoted
@@ -249,7 +249,7 @@ class Simulation(Driven):
         When a frame is broken the block ends before it with status BROKEN, and the simulation stands at
         its last good frame; with `keep_going` it records on. It ends early where `slices.asked` says so.
         """
-        out = out or make_recording(self._state, frames, self._lengths)
+        out = out or make_frames(self._state, frames, self._lengths)
         if frames > 1 and self.scene.contact is not None:
             advance = partial(self.advance_frames, keep_going=keep_going)
             return one_by_one(lambda count, part: advance(count, out=part), frames, out, keep_going)
