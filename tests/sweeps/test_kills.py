@@ -19,10 +19,12 @@ import pytest
 import ropewalk as rw
 from deaths import Disk, Killed
 from ropewalk.record.errors import RunError
-from ropewalk.sweeps import identity, many
+from ropewalk.sweeps import identity, many, worker
 from ropewalk.sweeps.batch import Batcher
+from ropewalk.sweeps.checked import CheckedStore
+from ropewalk.sweeps.summary import summary
 from ropewalk.sweeps.sweep_folder import SweepFolder
-from sweeps.scenes import EA, RUNS, TABLE, alone, make, store_bytes, swing
+from sweeps.scenes import EA, RUNS, TABLE, alone, flip, make, store_bytes, swing
 
 
 def check(folder: Path, whole: dict[str, bytes], opened: bool = True) -> int:
@@ -41,6 +43,9 @@ def check(folder: Path, whole: dict[str, bytes], opened: bool = True) -> int:
     ds = rw.sweep.open(folder)
     done = np.isin(np.arange(RUNS) // 2, marked)
     assert ((ds.status.values != "") == done).all()
+    kept = np.isfinite(ds.tension_max.values)
+    assert not (kept & ~done).any()  # data without their mark
+    assert kept.sum() == done[:-1].sum()  # the last run breaks
     return len(marked)
 
 
@@ -122,6 +127,76 @@ def test_the_mark_of_another_sweep_is_not_taken(
     late.write(1, batch)
     assert late.is_done(1)
     assert SweepFolder.open(folder).standing()[1] == [1]
+
+
+def test_a_late_worker_of_a_sweep_that_was_overwritten_writes_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It has opened the folder before, and its numbers are of another rope."""
+    folder = tmp_path / "s"
+    make(folder)
+    late = SweepFolder.open(folder)
+    job, rows = worker.job_of(late.plan, folder), worker.packed_rows(late.rows(1))
+    assert worker.make_batch(job, 1, rows) == {"number": 1, "what": worker.STORED, "broken": None}
+    other = SimpleNamespace(uuid4=lambda: SimpleNamespace(hex="1" * 32))
+    monkeypatch.setattr("ropewalk.sweeps.sweep_plan.uuid", other)
+    softer = TABLE.assign(**{EA: TABLE[EA] / 2})
+    new = rw.sweep(swing(0.04), softer, store=folder, batch=2, on="here", overwrite=True)
+    refused = worker.make_batch(job, 1, rows)
+    assert refused["what"] == worker.REFUSED
+    assert "holds another sweep by now" in refused["why"]
+    assert SweepFolder.open(folder).standing()[1] == []
+    np.testing.assert_array_equal(rw.sweep.open(folder).tension_max, new.tension_max)
+
+
+def test_killed_while_a_sweep_with_figures_is_overwritten(
+    tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    """What is left can be overwritten again, or gone on with."""
+
+    def overwrite(folder: Path) -> None:
+        rw.sweep(swing(0.04), TABLE, store=folder, batch=2, on="here", overwrite=True)
+
+    for last in (1, 2, 3, 5, 8, 20, 60, 110):
+        folder = tmp_path / f"s{last}"
+        make(folder)
+        (folder / "figures").mkdir()
+        (folder / "figures" / "tension_max.png").write_bytes(b"drawn")
+        with pytest.MonkeyPatch.context() as patch:
+            Disk(folder, last).install(patch)
+            with pytest.raises(Killed):
+                overwrite(folder)
+        if last > 60:
+            check(folder, whole)
+        overwrite(folder)
+        assert store_bytes(folder) == whole
+    alone_there = tmp_path / "t"
+    (alone_there / "figures").mkdir(parents=True)
+    with pytest.raises(RunError, match="holds something else than a sweep"):
+        overwrite(alone_there)
+
+
+def test_a_batch_without_its_mark_is_not_there(tmp_path: Path) -> None:
+    """Killed between the data and the mark, or while what is damaged is made again."""
+    folder = tmp_path / "s"
+    make(folder)
+    data = rw.sweep.open(folder).load()
+    SweepFolder.open(folder).unmark([0, 11])
+    flip(folder / "data.zarr" / "positions_last" / "c.0.0.0")
+    found = rw.sweep.open(folder).load()
+    made = np.arange(2, RUNS - 2)
+    assert np.flatnonzero(found.status != "").tolist() == made.tolist()
+    assert np.flatnonzero(np.isfinite(found.tension_max)).tolist() == made.tolist()
+    assert not found.reason.values[[0, 1, -2, -1]].any()
+    np.testing.assert_array_equal(found.tension_max[made], data.tension_max[made])
+    np.testing.assert_array_equal(found.length, data.length)
+    told = summary(SweepFolder.open(folder))
+    assert (told["done"], told["damaged"]) == (RUNS - 4, [])
+    kept = next(one for one in told["kept"] if one["name"] == "tension_max")
+    assert kept["quantiles"][0] == data.tension_max[made].min()
+    assert kept["quantiles"][-1] == data.tension_max[made].max()
+    plain = CheckedStore.of(SweepFolder.open(folder)).with_read_only(True)
+    assert plain.unmarked == [slice(0, 2), slice(22, 24)]
 
 
 def test_what_is_refused_leaves_the_sweep_that_it_would_overwrite(

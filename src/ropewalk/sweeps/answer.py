@@ -67,10 +67,10 @@ def _stored(sweep: SweepFolder) -> xr.Dataset:
     )  # DONE: until format 2
     found = found.assign_attrs(sweep=str(sweep.folder))
     found = found.assign_coords(_numbers(sweep.plan.runs))
-    plan, unmarked = sweep.plan, sweep.unmarked_runs()
-    if unmarked:
+    plan = sweep.plan
+    if store.unmarked:
         status = found.status.load()
-        for rows in unmarked:
+        for rows in store.unmarked:
             status.values[rows] = ""
         found["status"] = status
     if plan.design != GRID or plan.runs * (plan.run_bytes + _TEXT_BYTES) > MOST_BYTES:

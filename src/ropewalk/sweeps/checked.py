@@ -1,4 +1,4 @@
-"""A Zarr store that compares every chunk with its checksum, and names the one that is damaged."""
+"""A Zarr store of what is marked, that compares every chunk with its checksum and names the damaged one."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from zarr.storage import LocalStore
 
 from ropewalk.record.errors import RunError
 from ropewalk.record.zarr_format import opened
+from ropewalk.sweeps.store_layout import OF_BROKEN, STATUS
 from ropewalk.sweeps.sweep_folder import DATA, SweepFolder
 
 if TYPE_CHECKING:
@@ -16,11 +17,25 @@ if TYPE_CHECKING:
 
 
 class CheckedStore(LocalStore):
-    """The data of a sweep, to be read; Zarr itself would only say that some checksum does not fit."""
+    """The data of a sweep, to be read; Zarr itself would only say that some checksum does not fit.
+
+    Results of batches without a mark are not there: their writer died between the data and the mark.
+    """
 
     def __init__(self, root: Any, *, read_only: bool = True, sweep: SweepFolder | None = None):
         super().__init__(root, read_only=read_only)
         self._sweep = sweep
+        self.unmarked = sweep.unmarked_runs() if sweep is not None else []
+        self._hidden: set[str] = set()
+        if sweep is not None:
+            results = [sweep.specs[name] for name in (*OF_BROKEN, STATUS)]
+            results += [sweep.specs[variable.name] for variable in sweep.plan.variables]
+            numbers = [rows.start // sweep.plan.batch for rows in self.unmarked]
+            self._hidden = {spec.key(number) for spec in results for number in numbers}
+
+    def with_read_only(self, read_only: bool = False) -> CheckedStore:
+        """Return the same store, for reading only or not."""
+        return type(self)(self.root, read_only=read_only, sweep=self._sweep)
 
     @classmethod
     def of(cls, sweep: SweepFolder) -> CheckedStore:
@@ -34,6 +49,8 @@ class CheckedStore(LocalStore):
         byte_range: ByteRequest | None = None,
     ) -> Buffer | None:
         """Return a file's content. Raises RunError for a chunk that is damaged."""
+        if key in self._hidden:
+            return None
         found: Buffer | None = await super().get(key, prototype, byte_range)
         if found is not None and byte_range is None and "/c." in key and self._sweep is not None:
             try:

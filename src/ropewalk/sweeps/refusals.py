@@ -17,6 +17,9 @@ from ropewalk.sweeps.trial import Trial
 from ropewalk.sweeps.whole import is_whole
 
 MOST_IN_MEMORY = 1_000_000_000  # bytes
+#: What a sweep that was killed before it was there leaves, and with that what may be of one it overwrites.
+_BEGUN = {PARTIAL, DATA, COPIES}
+_LEFT = {*_BEGUN, SCENE, "figures", ".lock"}
 
 
 def check_options(what: str, batch: int | None, workers: int | None) -> None:
@@ -47,7 +50,8 @@ def check_free(folder: Path, overwrite: bool) -> None:
     if is_locked(folder):
         raise RunError(folder, "is being written by another process")
     if not is_sweep(folder):
-        if {path.name for path in folder.iterdir()} <= {".lock", PARTIAL, DATA, COPIES, SCENE}:
+        names = {path.name for path in folder.iterdir()}
+        if (names & _BEGUN and names <= _LEFT) or names <= {".lock"}:
             return  # of a sweep that never began
         raise RunError(folder, "holds something else than a sweep; take another folder")
     if not overwrite:

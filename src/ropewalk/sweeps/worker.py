@@ -65,6 +65,9 @@ def _made(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any
         batch = batcher_of(job["recipe"]).make(unpacked_rows(columns))
     if store is None:
         return {"number": number, "what": CARRIED, "broken": batch.broken, "batch": packed(batch)}
+    if SweepFolder.open(store.folder).plan.id != job["id"]:
+        text = "its folder holds another sweep by now"
+        return {"number": number, "what": REFUSED, "why": text}
     store.write(number, batch)
     return {"number": number, "what": STORED, "broken": batch.broken}
 
