@@ -233,3 +233,22 @@ def test_a_closed_stdout(tmp_path: Path, command: str) -> None:
     assert done.returncode == 2
     assert done.stderr.startswith("error: standard output is closed")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("last", "count"),
+    [
+        ("and 5 more", 25),
+        ("s.toml: rope[0]: and 5 more faults, not told here", 25),
+        ("and 5 more, of 40 chunks", 25),
+        ("rope.made_of: 'x' - known: a, b and 5 more", 21),
+        ("one like others", 21),
+    ],
+)
+def test_a_line_that_stands_for_many_counts_as_many(last: str, count: int) -> None:
+    from ropewalk.cli.failures import Refusal, explain
+
+    lines = [*(f"s/data.zarr/c.{i}: is damaged" for i in range(20)), last]
+    status, text = explain(Refusal("\n".join(lines)))
+    assert status == 2
+    assert text.splitlines()[0] == f"error: {count} things are wrong"

@@ -229,6 +229,16 @@ def test_reports_that_cannot_be_written(ropewalk: Any, scene: Path) -> None:
     assert tree(Path.cwd()) == ["scene.toml"]
 
 
+@pytest.mark.parametrize(
+    "flags", [("--set", "rope.segments=3"), ("--method", "rk4"), ("--duration", "1")]
+)
+def test_compare_refuses_changes_of_what_is_not_run(
+    ropewalk: Any, run: Path, flags: tuple[str, str]
+) -> None:
+    done = ropewalk("compare", run, run, *flags)
+    refused(done, "--set and its like change scenes that are run; these are all runs already")
+
+
 def test_compare_keeps_what_it_runs_when_asked(ropewalk: Any, run: Path, scene: Path) -> None:
     """With -o and a folder: a run folder for each scene, and the figure; nothing for a run that is
     there. A second call is refused before anything is run, or replaces with --overwrite.

@@ -251,3 +251,84 @@ def test_a_run_of_a_sweep_is_shown(
     assert "say which run" in ropewalk("view", "s").output
     assert "has no run 9" in ropewalk("view", "s", "--run", 9).output
     assert "is no sweep" in ropewalk("view", scene, "--run", 1).output
+
+
+def test_a_value_that_is_uncertain_twice_is_refused(ropewalk: Call, scene: Path) -> None:
+    """The first of the two was dropped."""
+    twice = ("--uncertain", "gravity[2]=-10..-9", "--uncertain", "gravity[2]=5%")
+    for command in ("run", "sheet"):
+        done = ropewalk(command, scene, *twice)
+        assert done.exit_code == 2, done.output
+        assert "--uncertain: 'gravity[2]=5%' - gravity[2] is varied already" in done.output
+
+
+def test_quiet_sweeps_print_their_folder_alone(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    spread = ("--uncertain", "gravity[2]=-10..-9", "--samples", 8)
+    done = ropewalk("run", scene, *spread, "-o", "u", "-q")
+    assert (done.stdout, done.stderr) == ("u\n", "")
+    assert (tmp_path / "u" / "figures" / "uncertain.png").exists()
+    done = ropewalk("resume", "u", "-q", "--on", "here")
+    assert (done.stdout, done.stderr) == ("u\n", "")
+    rw.sweep(scene, {"gravity[2]": [-10.0, -9.0]}, store=tmp_path / "s", on="here", batch=1)
+    (tmp_path / "s" / "data.zarr" / "status" / "c.1").unlink()
+    done = ropewalk("resume", "s", "-q", "--on", "here")
+    assert (done.stdout, done.stderr) == ("s\n", "")
+    assert json.loads(ropewalk("resume", "s", "-q", "--json").stdout)["done"] == 2
+    kept = ropewalk("run", scene, *spread, "--keep-going", "-o", "v")
+    assert kept.exit_code == 2
+    assert "--keep-going: goes on with one run" in kept.output
+
+
+def test_what_is_drawn_of_a_sweep_that_was_overwritten_is_warned_of(
+    ropewalk: Call, scene: Path, tmp_path: Path
+) -> None:
+    spread = ("--uncertain", "gravity[2]=-10..-9", "--samples", 8, "-o", "u", "--overwrite")
+    spread += ("--duration", 0.02)
+    told = "figures may be of the sweep before: make them anew"
+    assert told not in ropewalk("run", scene, *spread).stderr
+    assert told not in ropewalk("run", scene, *spread).stderr  # the one figure is made anew
+    (tmp_path / "u" / "figures" / "tension_max_time.png").write_bytes(b"drawn")
+    assert f"u: {told}" in ropewalk("run", scene, *spread).stderr
+    assert ropewalk("run", scene, *spread, "-q").stderr == ""
+    done = ropewalk("sweep", scene, *VARY, "-o", "u", "--overwrite")
+    assert f"u: {told}" in done.stderr
+    ropewalk("sweep", scene, *VARY, "-o", "t")
+    assert told not in ropewalk("sweep", scene, *VARY, "-o", "t", "--overwrite").stderr
+
+
+def test_an_interruption_before_a_sweep_is_there_tells_nothing_of_the_one_it_would_overwrite(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rw.sweep(scene, {"gravity[2]": [-10.0, -9.0]}, store=tmp_path / "s", on="here")
+    monkeypatch.setattr(Batcher, "run", interrupted_at(1))
+    stopped = ropewalk("sweep", scene, *VARY, "-o", "s", "--overwrite")
+    assert stopped.exit_code == 130
+    assert "resume" not in stopped.output
+    assert "runs are stored" not in stopped.output
+    assert rw.sweep.open(tmp_path / "s").gravity_2.values.tolist() == [-10.0, -9.0]
+    (tmp_path / "s" / "data.zarr" / "status" / "c.0").unlink()
+    monkeypatch.setattr(Batcher, "run", interrupted_at(1))
+    stopped = ropewalk("resume", "s", "--on", "here")  # this one it does go on with
+    assert stopped.exit_code == 130
+    assert "go on with: ropewalk resume s" in stopped.output
+
+
+def test_without_salib_uncertain_runs_are_gone_on_with_to_their_bands(
+    ropewalk: Call, scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Their design is that of any sample; the twin keeps something else, and is a plain sweep."""
+    monkeypatch.setattr("ropewalk.sweeps.uncertainty.find_spec", lambda name: None)
+    spread = {"gravity[2]": (-10.0, -9.0)}
+    short = rw.load(scene).replace(**{"run.duration": 0.02})
+    rw.uncertain(short, spread, samples=4, seed=3, store=tmp_path / "u", batch=2, on="here")
+    ask = {"samples": 4, "seed": 3, "batch": 2, "on": "here"}
+    rw.sweep(short, spread, keep=["sag.max[time]", "tension.max"], store=tmp_path / "s", **ask)
+    for folder, bands in (("u", True), ("s", False)):
+        (tmp_path / folder / "data.zarr" / "done" / "marks" / "c.1").unlink()
+        done = ropewalk("resume", folder, "--on", "here")
+        assert done.exit_code == 0, done.output
+        assert ("seed of the samples: 3" in done.stdout) is bands
+        assert ("4 of 4 made" in done.stdout) is not bands
+        assert (tmp_path / folder / "figures" / "uncertain.png").exists() is bands

@@ -195,3 +195,17 @@ def test_a_profile_goes_all_the_way_along_what_cannot_be_told_apart(error: float
     assert 2.0 * k * (1.0 + 0.9 * half) < high < 2.0 * k * (1.0 + half) + 0.03 * width
     assert fit.profile[LENGTH] == pytest.approx((0.5, 2.0))
     assert "EA and length cannot be told apart by this measurement." in fit.words
+
+
+def test_what_a_measurement_names_that_is_not_there_has_a_sentence() -> None:
+    ranges = {EA: (1e3, 1e4)}
+    with pytest.raises(InputError, match=r"droop\.node: 99 - there is no such node: there are 5"):
+        rw.calibrate(swing(0.02), rw.calibrate.droop(0.3, 0.01, node=99), ranges, starts=2)
+    pull = rw.calibrate.pull_test([1.0, 2.0], [0.1, 0.2], rope="rop")
+    with pytest.raises(InputError, match=r"pull_test\.rope: 'rop' .* did you mean \"rope\""):
+        rw.calibrate(swing(0.02), pull, ranges, starts=2)
+    for mode in (0, -1, 1.5):
+        with pytest.raises(
+            InputError, match=rf"swing\.mode: {mode} - must be a whole number from 1"
+        ):
+            rw.calibrate.swing(1.0, mode=mode)

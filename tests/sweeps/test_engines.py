@@ -16,10 +16,11 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.engine import islands
-from ropewalk.record.errors import RunError
+from ropewalk.record.errors import InputError, RunError
 from ropewalk.sweeps import engines, worker
+from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.worker import packed_rows, unpacked_rows
-from sweeps.scenes import EA, SCENE, STIFF, same, swing
+from sweeps.scenes import EA, SCENE, STIFF, make, same, swing
 
 VARY = {EA: STIFF, "rope.length": [1.9, 2.0, 2.1]}
 
@@ -300,3 +301,26 @@ def test_runs_that_are_made_outlive_a_cluster_that_is_slow_to_close(
     made = rw.sweep(swing(0.02), {EA: STIFF[:2]}, keep="tension.max", on="local", batch=1)
     assert late
     assert np.isfinite(made.tension_max.values).all()
+
+
+def test_without_dask_nothing_runs_elsewhere_unsaid(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """`resume` ran here all the same; a function and a fit ended in the import of a missing module."""
+    make(tmp_path / "s")
+    SweepFolder.open(tmp_path / "s").unmark([3])
+    monkeypatch.setattr(engines, "has_dask", lambda: False)
+    told = "needs Dask, which is not installed"
+    with pytest.raises(InputError, match=told):
+        rw.sweep.resume(tmp_path / "s", on="tcp://127.0.0.1:1")
+    for on in ("local", None):
+        with pytest.raises(InputError, match=told):
+            rw.sweep.function(swing(0.02), [EA], "tension.max", on=on)
+    measured = rw.calibrate.kept("tension.max", 1.0, 0.1)
+    with pytest.raises(InputError, match=told):
+        rw.calibrate(swing(0.02), measured, {EA: (1e3, 2e3)}, on="local")
+    assert SweepFolder.open(tmp_path / "s").marked(3) is None
+    with pytest.raises(InputError, match="workers: 0 - must be a whole number of processes"):
+        rw.sweep.resume(tmp_path / "s", workers=0, on="here")
+    with pytest.raises(InputError, match='what: .rset. - must be "run" or "rest"'):
+        rw.sweep.function(swing(0.02), [EA], "tension.max", what="rset")

@@ -72,6 +72,11 @@ def labels_of(figure: Figure) -> set[str]:
     return {text for axes in figure.axes for text in (axes.get_xlabel(), axes.get_ylabel()) if text}
 
 
+def words_of(figure: Figure) -> str:
+    """All that is written on a figure, its lines joined."""
+    return " ".join(text.get_text().replace("\n", " ") for text in figure.texts)
+
+
 def test_a_line_goes_through_what_was_kept() -> None:
     """A real sweep, so that names, units and words are those that users see."""
     data = rw.sweep(
@@ -194,6 +199,21 @@ def test_a_band_in_time_holds_90_percent_of_the_runs() -> None:
     assert labels_of(figure) >= {"time [s]", "largest tension [kN]"}
     tick = figure.axes[0].yaxis.get_major_formatter()
     assert tick(5000.0, 0) == "5"  # the label's prefix is that of the ticks
+    assert "Line: median of 101 runs; band: " in words_of(figure)
+
+
+def test_a_band_says_of_how_many_runs_it_is(unknown: rw.Uncertainty) -> None:
+    """For Sobol indices other runs repeat the values of the sample; then one of the sample breaks."""
+    runs = len(unknown.runs.run)
+    told = words_of(sweep(unknown.runs, "tension_max_time"))
+    assert f", {runs} runs" in told
+    assert "Line: median of 8 runs; band: " in told
+    lost = unknown.runs.copy(deep=True)
+    lost.tension_max_time.values[0] = np.nan
+    lost["status"] = ("run", ["broke", *lost.status.values.tolist()[1:]])
+    told = words_of(sweep(lost, "tension_max_time"))
+    assert f", {runs} runs, 1 broken" in told
+    assert "Line: median of 7 runs; band: " in told
 
 
 def test_points_of_a_fit_are_its_residuals() -> None:

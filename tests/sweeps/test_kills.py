@@ -19,7 +19,7 @@ import pytest
 import ropewalk as rw
 from deaths import Disk, Killed
 from ropewalk.record.errors import RunError
-from ropewalk.sweeps import identity, many, worker
+from ropewalk.sweeps import many, worker
 from ropewalk.sweeps.batch import Batcher
 from ropewalk.sweeps.checked import CheckedStore
 from ropewalk.sweeps.summary import summary
@@ -235,14 +235,6 @@ def test_other_sources_are_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("ropewalk.sweeps.rerun.sweep_hash", lambda: "other")
     with pytest.warns(UserWarning, match="may not have the bits of the sweep"):
         rw.sweep.replay(tmp_path / "s", 1)
-
-
-def test_what_reduces_the_numbers_is_in_the_identity(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = identity.sweep_hash.__wrapped__
-    assert made() == identity.sweep_hash()
-    shorter = [name for name in identity.KEPT_BY if name != "sweeps/keep.py"]
-    monkeypatch.setattr(identity, "KEPT_BY", shorter)
-    assert made() != identity.sweep_hash()
 
 
 @pytest.mark.slow

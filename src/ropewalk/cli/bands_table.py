@@ -7,18 +7,23 @@ from typing import Any
 
 from ropewalk.cli.console import print_json, print_table, say, tell
 
+FIGURE = "uncertain.png"
 
-def tell_bands(folder: Path, *, as_json: bool) -> None:
-    """Print the bands of the runs in a folder, and draw the figure there."""
+
+def tell_bands(folder: Path, *, as_json: bool, quiet: bool = False) -> None:
+    """Print the bands of the runs in a folder, or the folder alone, and draw the figure there."""
     from ropewalk import plots
     from ropewalk.sweeps.uncertainty import of_folder, text_rows
 
     found = of_folder(folder)
     figures = folder / "figures"
     figures.mkdir(exist_ok=True)
-    path = plots.save(found.plot(), figures / "uncertain.png")
+    path = plots.save(found.plot(), figures / FIGURE)
     if as_json:
         print_json(_facts(found, folder))
+        return
+    if quiet:
+        say(str(folder))
         return
     columns = (
         "result",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import sys
 import tempfile
@@ -20,6 +21,8 @@ import click
 from ropewalk.cli.console import warn
 
 BUG, BAD_INPUT, BROKE, INTERRUPTED = 1, 2, 3, 130
+#: A line that stands for many: of sweeps, of run folders, of scenes.
+_MORE = re.compile(r"(?:^|: )and (\d+) more(?: faults, not told here|, of \d+ chunks)?$")
 
 # What the package says to those who call it from Python, as flags.
 _IN_FLAGS = {
@@ -150,7 +153,8 @@ def _error_lines(text: str) -> str:
     lines = text.splitlines() or ["unknown error"]
     if len(lines) == 1:
         return f"error: {lines[0]}"
-    return "\n".join([f"error: {len(lines)} things are wrong", *(f"  {line}" for line in lines)])
+    count = sum(int(more[1]) if (more := _MORE.search(line)) else 1 for line in lines)
+    return "\n".join([f"error: {count} things are wrong", *(f"  {line}" for line in lines)])
 
 
 def _usage(error: click.UsageError) -> str:

@@ -8,7 +8,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
+from ropewalk.cli.console import warn
 from ropewalk.cli.failures import Refusal
+
+#: What commands make of a run or a sweep, in its folder.
+_MADE = ("figures", "csv", "parquet", "run.npz", "vtk", "page.html", "movie.gif")
 
 
 def refuse_existing(path: Path, *, overwrite: bool = False) -> None:
@@ -51,6 +55,18 @@ def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
     return mask
+
+
+def warn_of_left(folder: Path, what: str, but: str = "") -> None:
+    """Warn of what was made of the run (or sweep, `what`) that was overwritten, and stays.
+
+    `but` is a figure that was made anew, or is about to be.
+    """
+    left = [name for name in _MADE if (folder / name).exists()]
+    if but and "figures" in left and {one.name for one in (folder / "figures").iterdir()} <= {but}:
+        left.remove("figures")
+    if left:
+        warn(f"{folder}: {', '.join(left)} may be of the {what} before: make them anew")
 
 
 @contextmanager

@@ -348,6 +348,7 @@ def _table(data: xr.Dataset, parameters: list[str]) -> xr.Dataset:
 
 def _band(data: xr.Dataset, name: str) -> Figure:
     """The median and the band that holds 90 % of the runs, against time."""
+    whole = data
     if "run" in data[name].dims:
         data = data.isel(run=plain_rows(data.attrs["design"], len(_parameters(data))))
     parts = _parts(data, name)
@@ -355,13 +356,14 @@ def _band(data: xr.Dataset, name: str) -> Figure:
     axes = figure.subplots()
     time = "time" if "time" in data[name].dims else "frame"
     x = data[time].values if time in data.coords else np.arange(data.sizes[time])
-    largest = 0.0
+    largest, of = 0.0, 0
     for number, (label, part) in enumerate(parts):
         swept = [dim for dim in part.dims if dim != time]
         values = part.transpose(*swept, time).values.reshape(-1, part.sizes[time])
         values = values[np.isfinite(values).any(axis=1)]
         if not len(values):
             raise ValueError(f"cannot draw {name!r}: no run ended well")
+        of = max(of, len(values))
         low, middle, high = np.nanquantile(values, BAND, axis=0)
         style = line_style(number)
         axes.fill_between(x, low, high, color=style["color"], alpha=0.25, linewidth=0.0)
@@ -371,6 +373,7 @@ def _band(data: xr.Dataset, name: str) -> Figure:
     axes.set_xlabel("time [s]" if time == "time" else "frame")
     if len(parts) > 1:
         axes.legend()
-    set_note(figure, ["Line: median of the runs; band: 5 % to 95 % of them at each time."])
-    _title(figure, data, name)
+    runs = f"{of} run{'s' * (of > 1)}"
+    set_note(figure, [f"Line: median of {runs}; band: 5 % to 95 % of them at each time."])
+    _title(figure, whole, name)
     return figure

@@ -20,6 +20,7 @@ from ropewalk.sweeps import engines
 from ropewalk.sweeps.batch import RUN, Batch, make_recipe
 from ropewalk.sweeps.keep import make_keep
 from ropewalk.sweeps.parameters import INT, Parameter, make_parameters
+from ropewalk.sweeps.refusals import check_on, check_options
 from ropewalk.sweeps.trial import try_out
 from ropewalk.sweeps.worker import batcher_of
 
@@ -43,6 +44,8 @@ class SweepFunction:
         on: Any = "here",
         workers: int | None = None,
     ) -> None:
+        check_options(what, None, workers)
+        check_on("local" if on is None else on)
         loaded = as_scene(scene)
         paths = [names] if isinstance(names, str) else list(names)
         self.parameters = _at_their_values(loaded, paths)

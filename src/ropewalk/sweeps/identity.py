@@ -13,6 +13,14 @@ from ropewalk.record.identity import meaning, source_hash
 
 #: Beside the sources of a run: what reads, reduces and keeps its numbers.
 KEPT_BY = (
+    "record/balances.py",
+    "record/books.py",
+    "record/ends.py",
+    "record/event_log.py",
+    "record/facts.py",
+    "record/good.py",
+    "record/happenings.py",
+    "record/parted.py",
     "record/quantities.py",
     "record/rest.py",
     "record/result.py",

@@ -201,6 +201,8 @@ def resume_sweep(
     Batches that are marked as done are checked; damaged ones are made again, with a warning. With `force`
     also when other sources of ropewalk began it. Raises RunError when it cannot be; else as `sweep`.
     """
+    check_options(RUN, None, workers)
+    check_on(on)
     found = SweepFolder.open(Path(folder))
     if found.plan.recipe.source != sweep_hash() and not force:
         rule = (

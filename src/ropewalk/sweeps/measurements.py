@@ -20,6 +20,8 @@ from ropewalk.lowering import build
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.scene import Material, Scene
 from ropewalk.sweeps.keep import parse
+from ropewalk.sweeps.whole import refuse_unless_whole
+from ropewalk.words.nearest import nearest
 
 AXES = "xyz"
 
@@ -105,6 +107,9 @@ class _Droop(Measurement):
         self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
     ) -> Floats:
         heights = rest["positions_last"] @ np.asarray(scene.up)
+        if not -len(heights) <= self.node < len(heights):
+            rule = f"there is no such node: there are {len(heights)}, from 0 or from the end, -1"
+            raise InputError("droop.node", self.node, rule)
         return np.full(self.values.shape, heights[0] - heights[self.node])
 
 
@@ -123,6 +128,11 @@ class _PullTest(Measurement):
     def predicted(
         self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
     ) -> Floats:
+        names = [rope.name for rope in scene.ropes]
+        if self.rope is not None and self.rope not in names:
+            raise InputError(
+                "pull_test.rope", self.rope, f"there is no such rope; {nearest(self.rope, names)}"
+            )
         rope = scene.ropes[0] if self.rope is None else scene.rope_named(self.rope)
         if not isinstance(rope.made_of, Material):
             raise InputError("pull_test", rope.name, "needs a rope of a material (EA)")
@@ -172,6 +182,7 @@ class _Swing(Measurement):
 def swing(periods: ArrayLike, error: float | None = None, *, mode: int = 1) -> Measurement:
     """Period of a small swing about rest [s], once or often; `mode` counts the natural modes, slowest 1."""
     found = _numbers("periods", periods)
+    refuse_unless_whole("swing.mode", mode, 1)
     return _Swing("swing", "s", found, _error("swing", error), mode=mode)
 
 

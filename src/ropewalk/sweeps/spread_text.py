@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import re
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -31,6 +32,19 @@ _GRIDS: dict[str, Any] = {
 }
 _QUANTITY = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(\D.*)?\s*")
 _CALL = re.compile(r"(\w+)\((.*)\)")
+
+
+def parse_all(
+    option: str, parse: Callable[[str], tuple[str, Any]], texts: Iterable[str]
+) -> dict[str, Any]:
+    """Return what `parse` finds in the texts of an option, by path. Raises InputError for one path twice."""
+    found: dict[str, Any] = {}
+    for text in texts:
+        path, what = parse(text)
+        if path in found:
+            raise InputError(option, text, f"{path} is varied already")
+        found[path] = what
+    return found
 
 
 def parse_uncertain(text: str) -> tuple[str, Any]:

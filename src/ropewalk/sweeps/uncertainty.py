@@ -20,11 +20,12 @@ from ropewalk.scene import Scene, SceneError, loads
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
-from ropewalk.sweeps.designs import MOST_RUNS, SALTELLI, Design, plain_rows
+from ropewalk.sweeps.designs import DESIGNS, MOST_RUNS, SALTELLI, Design, plain_rows
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
 from ropewalk.sweeps.sweep_folder import SweepFolder
+from ropewalk.sweeps.sweep_plan import SweepPlan
 from ropewalk.sweeps.whole import refuse_unless_whole
 from ropewalk.words.percents import percent
 
@@ -140,6 +141,15 @@ def uncertain(
         design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
         runs = make_runs(loaded, design, kept, what=what, **options)
     return _of_runs(loaded, runs, [parameter.name for parameter in parameters])
+
+
+def is_uncertain(plan: SweepPlan) -> bool:
+    """Tell whether a sweep is one of `uncertain`: by its design, or by what it keeps, without SALib."""
+    if plan.design == SALTELLI:
+        return True
+    keep = _default_keep(loads(plan.recipe.scene), plan.recipe.what)
+    drawn = plan.design in DESIGNS and all(about["spread"] for about in plan.parameters)
+    return drawn and list(plan.recipe.keep[: len(keep)]) == keep
 
 
 def of_folder(folder: Path) -> Uncertainty:

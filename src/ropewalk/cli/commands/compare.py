@@ -58,6 +58,8 @@ def compare(
     """
     if len(runs) < 2:
         raise Refusal(f"{runs[0]}: is one run; name two or more to compare")
+    if (overrides or any(changes.values())) and all(Path(run).is_dir() for run in runs):
+        raise Refusal("--set and its like change scenes that are run; these are all runs already")
     labels = _labels(runs)
     path, kept = _places(runs, labels, output, overwrite=overwrite)
     scenes = [None if Path(run).is_dir() else load_scene(run, overrides, **changes) for run in runs]

@@ -37,7 +37,7 @@ def resume(
     if is_sweep(folder):
         from ropewalk.cli.commands.sweep import resume_folder
 
-        return resume_folder(folder, on, workers, force=force, as_json=as_json)
+        return resume_folder(folder, on, workers, force=force, as_json=as_json, quiet=quiet)
     with without_scipy(), warnings.catch_warnings(record=True) as caught:
         from ropewalk.api import explain
         from ropewalk.record.resume import resume_run

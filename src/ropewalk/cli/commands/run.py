@@ -9,7 +9,7 @@ import click
 
 from ropewalk.cli.console import say, tell, warn
 from ropewalk.cli.failures import BROKE, INTERRUPTED, Refusal
-from ropewalk.cli.output_files import claimed, refuse_parent
+from ropewalk.cli.output_files import claimed, refuse_parent, warn_of_left
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.results_table import print_result_json, print_results
 from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from ropewalk.scene import Scene
 
 RUNS = Path("runs")
-_MADE = ("figures", "csv", "parquet", "run.npz", "vtk", "page.html")  # of a run, in its folder
 _NAMED = 3  # partings that are told one by one
 
 quiet_option = click.option(
@@ -85,8 +84,13 @@ def run(
     if spreads:
         from ropewalk.cli.commands.uncertain import run_uncertain
 
+        if keep_going:
+            raise Refusal(
+                "--keep-going: goes on with one run; those of --uncertain that break have no numbers"
+            )
         where = (output, short_name(scene), overwrite)
-        return run_uncertain(loaded, spreads, (samples or 256, seed), where, as_json=as_json)
+        drawn = (samples or 256, seed)
+        return run_uncertain(loaded, spreads, drawn, where, as_json=as_json, quiet=quiet)
     if samples is not None:
         raise Refusal("--samples: goes with --uncertain; for a sweep see: ropewalk sweep --help")
     if seed is not None:
@@ -103,9 +107,8 @@ def run(
             overwrite=overwrite,
             quiet=quiet,
         )
-    left = [one for one in _MADE if overwrite and output is not None and (output / one).exists()]
-    if left and not quiet:
-        warn(f"{output}: {', '.join(left)} may be of the run before: make them anew")
+    if overwrite and output is not None and not quiet:
+        warn_of_left(output, "run")
     return conclude(result, warnings, as_json=as_json, quiet=quiet)
 
 

@@ -81,9 +81,9 @@ def sheet(
     paths = outputs or (free_name(Path(f"{short_name(scene)}-sheet.html")),)
     _check(paths, overwrite)
     from ropewalk.sheets import sheet as make
-    from ropewalk.sweeps.spread_text import parse_uncertain
+    from ropewalk.sweeps.spread_text import parse_all, parse_uncertain
 
-    vary = dict(parse_uncertain(text) for text in spreads)
+    vary = parse_all("--uncertain", parse_uncertain, spreads)
     if not at_rest:
         tell_compiling(loaded.run.method, loaded)
     with named(scene):

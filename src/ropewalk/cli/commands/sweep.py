@@ -12,7 +12,7 @@ import click
 
 from ropewalk.cli.console import print_json, print_table, say, tell, warn
 from ropewalk.cli.failures import INTERRUPTED, Refusal
-from ropewalk.cli.output_files import claimed, refuse_parent
+from ropewalk.cli.output_files import claimed, refuse_parent, warn_of_left
 from ropewalk.cli.progress import tell_compiling
 from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
 
@@ -90,17 +90,11 @@ def sweep(
     at the corners is told before anything runs. A run that breaks is a result like others. Killed at any
     moment, the sweep goes on with `ropewalk resume DIR`, to the same bits.
     """
-    from ropewalk.record.errors import InputError
     from ropewalk.sweeps.many import sweep as make
-    from ropewalk.sweeps.spread_text import parse_vary
+    from ropewalk.sweeps.spread_text import parse_all, parse_vary
 
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
-    vary: dict[str, Any] = {}
-    for text in varied:
-        path, what = parse_vary(text)
-        if path in vary:
-            raise InputError("--vary", text, f"{path} is varied already")
-        vary[path] = what
+    vary = parse_all("--vary", parse_vary, varied)
     if output is not None:
         refuse_parent(output)
     tell_compiling(loaded.run.method, loaded)
@@ -112,57 +106,96 @@ def sweep(
     }
     asked |= {"on": on, "workers": workers, "what": "rest" if rest else "run"}
     with named(scene), claimed(output, SWEEPS, short_name(scene)) as folder, telling():
-        return ended(
+        status = ended(
             folder, lambda: make(loaded, vary, store=folder, overwrite=overwrite, **asked), as_json
         )
+        if overwrite:
+            warn_of_left(folder, "sweep")
+        return status
 
 
 def resume_folder(
-    folder: Path, on: str | None, workers: int | None, *, force: bool, as_json: bool
+    folder: Path,
+    on: str | None,
+    workers: int | None,
+    *,
+    force: bool,
+    as_json: bool,
+    quiet: bool = False,
 ) -> int:
     """Go on with the sweep in a folder."""
     from ropewalk.cli.bands_table import tell_bands
-    from ropewalk.sweeps.designs import SALTELLI
     from ropewalk.sweeps.many import resume_sweep
     from ropewalk.sweeps.sweep_folder import SweepFolder
+    from ropewalk.sweeps.uncertainty import is_uncertain
 
-    uncertain = SweepFolder.open(folder).plan.design == SALTELLI
-    with telling():
+    uncertain = is_uncertain(SweepFolder.open(folder).plan)
+    how: dict[str, Any] = {"on": on, "workers": workers, "force": force}
+    how |= {"progress": False} if quiet else {}
+    with telling(quiet=quiet):
         return ended(
             folder,
-            lambda: resume_sweep(folder, on=on, workers=workers, force=force),
+            lambda: resume_sweep(folder, **how),
             as_json,
             tell_bands if uncertain else None,
+            fresh=False,
+            quiet=quiet,
         )
 
 
 @contextmanager
-def telling() -> Iterator[None]:
+def telling(*, quiet: bool = False) -> Iterator[None]:
     """Print warnings as the command line does."""
     with warnings.catch_warnings():
-        warnings.simplefilter("always", UserWarning)
+        warnings.simplefilter("ignore" if quiet else "always", UserWarning)
         warnings.showwarning = lambda message, *_, **__: warn(str(message))
         yield
 
 
 def ended(
-    folder: Path, make: Callable[[], Any], as_json: bool, finish: Callable[..., None] | None = None
+    folder: Path,
+    make: Callable[[], Any],
+    as_json: bool,
+    finish: Callable[..., None] | None = None,
+    *,
+    fresh: bool = True,
+    quiet: bool = False,
 ) -> int:
-    """Make a sweep and print how it ended, by `finish` or as `info` does; return the exit status."""
+    """Make a sweep and print how it ended, by `finish` or as `info` does; return the exit status.
+
+    `fresh` unless it goes on with the one that is in the folder. `quiet` prints the folder alone.
+    """
     from ropewalk.sweeps.sweep_folder import SweepFolder, is_sweep
 
+    before = _id(folder) if fresh else ""
     try:
         make()
     except KeyboardInterrupt:
-        if not is_sweep(folder):
+        if not is_sweep(folder) or _id(folder) == before:  # that would be overwritten
             raise
         found = SweepFolder.open(folder)
         done = sum(len(found.plan.rows(number)) for number in found.standing()[0])
         tell(f"interrupted: {done} of {found.plan.runs} runs are stored")
         tell(f"go on with: ropewalk resume {folder}")
         return INTERRUPTED
-    (finish or info_folder)(folder, as_json=as_json)
+    if finish is not None:
+        finish(folder, as_json=as_json, quiet=quiet)
+    elif quiet and not as_json:
+        say(str(folder))
+    else:
+        info_folder(folder, as_json=as_json)
     return 0
+
+
+def _id(folder: Path) -> str:
+    """Return which sweep a folder holds; "" for none that can be read."""
+    from ropewalk.record.errors import RunError
+    from ropewalk.sweeps.sweep_folder import SweepFolder
+
+    try:
+        return SweepFolder.open(folder).plan.id
+    except RunError:
+        return ""
 
 
 def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
