@@ -18,6 +18,7 @@ from bench.implicit import newton
 from bench.islands import many_islands
 from bench.live import live_server
 from bench.many import many
+from bench.near import finding_pairs
 from bench.page import page, page_memory
 from bench.peaks import extremes
 from bench.row import Row
@@ -204,6 +205,7 @@ CASES = (
     many_islands,
     sticking,
     on_obstacles,
+    finding_pairs,
     here_and_there,
     ropes_on_ropes,
     many,

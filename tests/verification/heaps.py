@@ -133,11 +133,10 @@ def passes(before: Floats, after: Floats, links: Ints) -> int:
         e, f, g = (y + share * (z - y) for y, z in ((b - a, q - p), (d - c, s - r), (c - a, r - p)))
         return np.asarray(np.einsum("kn,kn->n", np.cross(e, f, axis=0), g))
 
-    found = 0
-    for k in np.flatnonzero(volume(0.0) * volume(1.0) < 0.0):
-        at = np.linspace(0.0, 1.0, 4)
-        values = [float(volume(share)[k]) for share in at]
-        for root in np.roots(np.polyfit(at, values, 3)):
+    found, at = 0, np.linspace(0.0, 1.0, 4)
+    values = np.array([volume(share) for share in at])
+    for k in np.flatnonzero(values[0] * values[-1] < 0.0):
+        for root in np.roots(np.polyfit(at, values[:, k], 3)):
             if abs(root.imag) < 1e-9 and 0.0 <= root.real <= 1.0:
                 now = before[:, ends[:, k]] + root.real * (after - before)[:, ends[:, k]]
                 edges = np.stack([now[:, 1] - now[:, 0], now[:, 2] - now[:, 3]], axis=1)

@@ -38,6 +38,7 @@ from ropewalk.laws.contact_frame import (
 )
 from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
+from ropewalk.laws.obstacle_reach import is_out_of_reach
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
@@ -49,10 +50,11 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     `now` holds the time of `x` and `v`, and that of the memory [s]. Where `force` has more rows they get, for
     one obstacle after another, what presses and what rubs, 3 rows each.
     """
-    last, place, apart = min(hi, x.shape[1]), memory.place, force.shape[0] > 3
+    first, last = max(lo, 0), min(hi, x.shape[1])  # with no index below 0 loops vectorise
+    place, apart = memory.place, force.shape[0] > 3
     find_rates(x, v, obstacles, memory, now)
     for row in range(force.shape[0]):
-        for i in range(lo, last):
+        for i in range(first, last):
             force[row, i] = 0.0
     for o in range(obstacles.kind.shape[0]):
         hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
@@ -60,7 +62,10 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         then = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
-        for i in range(lo, last):
+        to, at = (mx, my, mz), (ux, uy, uz)
+        if is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, first, last):
+            continue
+        for i in range(first, last):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
@@ -226,10 +231,15 @@ def turn_towards(x, i, nx, ny, nz, stiffness):
         return 0.0
     ax, ay, az = x[0, i] - x[0, i - 1], x[1, i] - x[1, i - 1], x[2, i] - x[2, i - 1]
     bx, by, bz = x[0, i + 1] - x[0, i], x[1, i + 1] - x[1, i], x[2, i + 1] - x[2, i]
+    before, after = nx * ax + ny * ay + nz * az, nx * bx + ny * by + nz * bz
+    if before <= 0.0 and after >= 0.0:  # away from it
+        return 0.0
     a, b = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
     if not (a > 0.0 and b > 0.0):
         return 0.0
-    before, after = (nx * ax + ny * ay + nz * az) / a, (nx * bx + ny * by + nz * bz) / b
+    before, after = before / a, after / b
+    if not before > after:
+        return 0.0
     before, after = min(max(before, -1.0), 1.0), min(max(after, -1.0), 1.0)
     return max(math.asin(before) - math.asin(after), 0.0)
 
@@ -268,13 +278,13 @@ def contact_given(memory):
 @deferred("float64")
 def contact_rounding(x, obstacles):
     """Return what rounding of the places does to the forces of contacts [N]."""
-    size, most = 0.0, 0.0
-    for k in range(3):
-        for i in range(x.shape[1]):
-            size = max(size, abs(x[k, i]))
-        for o in range(obstacles.kind.shape[0]):
-            size = max(size, abs(obstacles.center[o, k]))
+    a, b, c, most = 0.0, 0.0, 0.0, 0.0  # apart: one would wait for the other
+    for i in range(x.shape[1]):
+        a, b, c = max(a, abs(x[0, i])), max(b, abs(x[1, i])), max(c, abs(x[2, i]))
+    size = max(a, b, c)
     for o in range(obstacles.kind.shape[0]):
+        for k in range(3):
+            size = max(size, abs(obstacles.center[o, k]))
         for i in range(x.shape[1]):
             most = max(most, obstacles.stiffness[o, i] + obstacles.hard[o, i])
     return 16.0 * 2.220446049250313e-16 * most * size

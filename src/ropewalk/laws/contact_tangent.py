@@ -19,6 +19,7 @@ from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
+from ropewalk.laws.obstacle_reach import is_out_of_reach
 from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
@@ -35,6 +36,9 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
         then = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
+        to, at, count = (mx, my, mz), (ux, uy, uz), x.shape[1]
+        if is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, 0, count):
+            continue
         tied = obstacles.wheel[o] >= 0
         whole = tied and obstacles.sweeps[o]  # what presses turns it, too
         for i in range(x.shape[1]):

@@ -19,6 +19,7 @@ from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
+from ropewalk.laws.pairs.boxes import room_for
 from ropewalk.laws.pairs.brake import brake_again, brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.pair_books import book_pairs
@@ -185,6 +186,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
         origin=np.full((3, x.shape[1]), 1e150) if s else np.zeros((3, 0)),
         box=np.zeros((s, 6)),
         order=np.arange(s),
+        tree=np.zeros((room_for(s) if s else 0, 6)),
         rope=np.full(s, -1, np.int64),
         way=np.zeros((3, x.shape[1] if s else 0)),
         books=np.zeros(3 if s else 0),

@@ -1,13 +1,11 @@
-"""Which segments may touch: boxes sorted along an axis, and the rows of what does.
-
-Source: Baraff, Dynamic Simulation of Non-penetrating Rigid Bodies, 1992, ch. 2 (sort and sweep).
-"""
+"""Which segments may touch: those whose boxes overlap, see `boxes`, and the rows of what does."""
 
 from __future__ import annotations
 
 import math
 
 from ropewalk.core.jit import deferred, kernel, small
+from ropewalk.laws.pairs.boxes import begin_of, grow_tree, next_leaf, overlap
 from ropewalk.laws.pairs.distance import on_way, product
 from ropewalk.laws.pairs.table import CONTACTS, LEAN, LEVER, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
 
@@ -49,70 +47,60 @@ def moved_from(origin, x):
 def box_in(x, y, table, memory):
     """Write the boxes in which segments move from x to y, (s, 6), wide enough that those near overlap.
 
-    Return the axis along which they lie.
+    What is no rope has that of a point, so that it makes no other wider.
     """
     box = memory.box
-    low0, low1, low2 = math.inf, math.inf, math.inf
-    high0, high1, high2 = -math.inf, -math.inf, -math.inf
     for j in range(box.shape[0]):
         wide = REACH * table.radius[j] + 0.5 * table.skin[0]
         for k in range(3):
             low = min(min(x[k, j], x[k, j + 1]), min(y[k, j], y[k, j + 1]))
             high = max(max(x[k, j], x[k, j + 1]), max(y[k, j], y[k, j + 1]))
+            if memory.rope[j] < 0:
+                low, high, wide = x[k, j], x[k, j], 0.0
             box[j, k], box[j, 3 + k] = low - wide, high + wide
-        if memory.rope[j] >= 0:
-            low0, high0 = min(low0, box[j, 0]), max(high0, box[j, 3])
-            low1, high1 = min(low1, box[j, 1]), max(high1, box[j, 4])
-            low2, high2 = min(low2, box[j, 2]), max(high2, box[j, 5])
-    wide0, wide1, wide2 = high0 - low0, high1 - low1, high2 - low2
-    if wide0 >= wide1 and wide0 >= wide2:
-        return 0
-    return 1 if wide1 >= wide2 else 2
 
 
 @kernel
-def sort_along(box, order, axis):
-    """Sort segments by where their boxes begin; next to nothing to do where little has changed."""
-    for k in range(1, order.shape[0]):
-        j, at = order[k], k
-        low = box[j, axis]
-        while at > 0 and box[order[at - 1], axis] > low:
-            order[at] = order[at - 1]
-            at -= 1
-        order[at] = j
+def list_between(leaves, one, other, table, memory, tied, found):
+    """List the pairs whose boxes overlap of two leaves, or within one; return how many there are then.
 
-
-@kernel
-def list_near(x, y, table, memory, tied):
-    """List the pairs whose boxes overlap on the way from x to y; return whether there was room for them."""
-    box, order, near, count = memory.box, memory.order, memory.near, memory.tally
-    rope = memory.rope
-    axis, found = box_in(x, y, table, memory), 0
-    sort_along(box, order, axis)
-    one, two = (axis + 1) % 3, (axis + 2) % 3
-    count[NEAR] = 0
-    for a in range(order.shape[0]):
+    -1: there is no room for them.
+    """
+    box, order, near, rope, tree = memory.box, memory.order, memory.near, memory.rope, memory.tree
+    for a in range(begin_of(leaves, order, one), begin_of(leaves, order, one + 1)):
         p = order[a]
-        if rope[p] < 0:
+        if rope[p] < 0 or not overlap(box, p, tree, other):
             continue
-        end = box[p, 3 + axis]
-        for b in range(a + 1, order.shape[0]):
+        begin = a + 1 if one == other else begin_of(leaves, order, other)
+        for b in range(begin, begin_of(leaves, order, other + 1)):
             q = order[b]
-            if box[q, axis] > end:
-                break
-            if rope[q] < 0 or box[p, one] > box[q, 3 + one] or box[q, one] > box[p, 3 + one]:
-                continue
-            if box[p, two] > box[q, 3 + two] or box[q, two] > box[p, 3 + two]:
+            if rope[q] < 0 or not overlap(box, p, box, q):
                 continue
             i, j = min(p, q), max(p, q)
             if are_neighbours(table, memory, tied, i, j):
                 continue
             if found == near.shape[0]:
-                memory.origin[0, 0] = NOWHERE  # the list is not whole: it is made anew
-                return False
+                return -1
             near[found, 0], near[found, 1] = i, j
             found += 1
-    count[NEAR] = found
+    return found
+
+
+@deferred("boolean")
+def list_near(x, y, table, memory, tied):
+    """List the pairs whose boxes overlap on the way from x to y; return whether there was room for them."""
+    box_in(x, y, table, memory)
+    leaves, found = grow_tree(memory.box, memory.order, memory.tree), 0
+    memory.tally[NEAR] = 0
+    for leaf in range(leaves, 2 * leaves):
+        other = leaf
+        while other > 0:
+            found = list_between(leaves, leaf, other, table, memory, tied, found)
+            if found < 0:
+                memory.origin[0, 0] = NOWHERE  # the list is not whole: it is made anew
+                return False
+            other = next_leaf(memory.tree, leaves, leaf, other)
+    memory.tally[NEAR] = found
     for k in range(3):
         for i in range(y.shape[1]):
             memory.origin[k, i] = y[k, i]

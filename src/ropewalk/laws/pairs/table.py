@@ -79,7 +79,8 @@ class Memory(NamedTuple):
     place: Floats  # (3, n) [m]
     origin: Floats  # (3, n) where the nodes were when `near` was found [m]
     box: Floats  # (s, 6) working space of the search
-    order: Ints  # (s,) segments along an axis
+    order: Ints  # (s,) segments as the leaves of `tree` have them
+    tree: Floats  # (t, 6) boxes of many segments, see `boxes`
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
     books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]

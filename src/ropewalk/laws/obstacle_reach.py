@@ -1,0 +1,49 @@
+"""Whether no node can touch an obstacle, found for all of them at once.
+
+A contact presses with no more than c u - k g, u the speed at which a node comes and g its gap (see
+`contact`). Gaps are distances: no node's is smaller than that of one node less how far it is from there.
+"""
+
+from __future__ import annotations
+
+import math
+
+from ropewalk.core.jit import kernel
+from ropewalk.laws.contact_frame import DAMP
+from ropewalk.laws.obstacle_pose import body_of, probe_turned
+
+ROUNDED = 1e-12  # [1] of the places: more than rounding does to a gap
+
+
+@kernel
+def is_out_of_reach(x, v, obstacles, grip, o, pose, moved, speed, turning, lo, hi):
+    """Tell whether obstacle o presses none of the nodes `lo` to `hi - 1`, as sure as can be in one look.
+
+    It lies in a `pose`, see `obstacle_pose`, has `moved` [m], and goes at `speed` [m/s], turning at `turning`
+    [rad/s], (3) each.
+    """
+    lo = max(lo, 0)  # with no index below 0 the loop vectorises
+    if not hi > lo:
+        return True
+    hub, damping = obstacles.hub[o], grip[DAMP]
+    thickness, stiffness = obstacles.thickness, obstacles.stiffness[o]
+    at = (lo + hi) // 2
+    cx, cy, cz = x[0, at], x[1, at], x[2, at]
+    px, py, pz = cx - moved[0], cy - moved[1], cz - moved[2]
+    gap = probe_turned(body_of(obstacles, o), pose, px, py, pz)[0]
+    if not gap > thickness[at]:
+        return False
+    far, fast, thick, soft, damped = 0.0, 0.0, 0.0, math.inf, 0.0
+    for i in range(lo, hi):
+        dx, dy, dz = x[0, i] - cx, x[1, i] - cy, x[2, i] - cz
+        far = max(far, dx * dx + dy * dy + dz * dz)
+        fast = max(fast, v[0, i] * v[0, i] + v[1, i] * v[1, i] + v[2, i] * v[2, i])
+        thick, soft = max(thick, thickness[i]), min(soft, stiffness[i])
+        damped = max(damped, damping[i])
+    far, fast = math.sqrt(far), math.sqrt(fast)
+    size = abs(cx) + abs(cy) + abs(cz) + abs(px) + abs(py) + abs(pz) + far
+    least = gap - far - thick - ROUNDED * size
+    arm = abs(px - hub[0]) + abs(py - hub[1]) + abs(pz - hub[2]) + far
+    fast += abs(speed[0]) + abs(speed[1]) + abs(speed[2])
+    fast += (abs(turning[0]) + abs(turning[1]) + abs(turning[2])) * arm
+    return soft * least > damped * fast
