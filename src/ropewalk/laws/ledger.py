@@ -10,7 +10,7 @@ The sums run per segment and per node, so that the loops vectorise and the sums 
 from __future__ import annotations
 
 from ropewalk.core.arrays import APPLIED
-from ropewalk.core.jit import deferred, kernel, part, seldom
+from ropewalk.core.jit import apart, deferred, kernel, part, seldom
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.booking import book_nodes
 from ropewalk.laws.fresh import working_segment
@@ -44,8 +44,8 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
     """
     work = state.work
     begin, end = max(lo - 1, 0), min(hi, state.mass.shape[0]) - 1
-    add_segment_power(forces.elastic, middle, dt, work.elastic, begin, end)
-    add_segment_power(forces.friction, middle, dt, work.friction, begin, end)
+    done = work.elastic, work.friction
+    add_spring_power(forces.elastic, forces.friction, middle, dt, *done, begin, end)
     add_weight_power(state.mass, system.gravity, middle, dt, work.weight, lo, hi)
     if has_bending(system):
         add_segment_power(forces.bending, middle, dt, work.bending, begin, end)
@@ -55,6 +55,19 @@ def account(system, state, forces, middle, dt, lo=0, hi=ALL):
         add_power(forces.applied, middle, dt, work.applied, lo, hi)
     _account_nodes(system, forces.node, work.node, middle, dt, lo, hi)
     book_nodes(system, state, forces, middle, dt)
+
+
+@apart
+def add_spring_power(elastic, friction, middle, dt, elastic_work, friction_work, lo, hi):
+    """As `add_segment_power`, for both forces of a spring in one sweep."""
+    e0, e1, e2 = rows(elastic, lo, hi + 1)
+    c0, c1, c2 = rows(friction, lo, hi + 1)
+    u0, u1, u2 = rows(middle, lo, hi + 1)
+    elastic_work, friction_work = elastic_work[lo:hi], friction_work[lo:hi]
+    for j in range(elastic_work.shape[0]):
+        dx, dy, dz = u0[j + 1] - u0[j], u1[j + 1] - u1[j], u2[j + 1] - u2[j]
+        elastic_work[j] -= dt * (e0[j + 1] * dx + e1[j + 1] * dy + e2[j + 1] * dz)
+        friction_work[j] -= dt * (c0[j + 1] * dx + c1[j + 1] * dy + c2[j + 1] * dz)
 
 
 @kernel

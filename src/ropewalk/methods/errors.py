@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import apart, kernel, part
 from ropewalk.core.peaks import GREATEST, LEAST
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
@@ -67,10 +67,11 @@ def keep_error(system, state, elastic, sums, t):
 def accounted_for(system, state, elastic, sums):
     """Return all energy less the works of the laws without a potential [J]; `elastic` is the segments'."""
     work, mass, segments = state.work, state.mass, state.rest_length.shape[0]
+    works = None if system.rare is None else work.node
     clear_row(sums)
     for lo in range(0, mass.shape[0], LANES):
         hi = min(lo + LANES, mass.shape[0])
-        _add_nodes(state.x, state.v, mass, system.gravity, work, lo, hi, sums)
+        _add_nodes(state.x, state.v, mass, system.gravity, works, work.applied, lo, hi, sums)
     for lo in range(0, segments, LANES):
         _take_friction(work.friction, lo, min(lo + LANES, segments), sums)
     total = elastic + total_of(sums, 0)
@@ -115,19 +116,20 @@ _parts, _sum = (
 )  # works of laws of nodes
 
 
-@part
-def _add_nodes(x, v, mass, gravity, work, lo, hi, sums):
+@apart
+def _add_nodes(x, v, mass, gravity, works, applied, lo, hi, sums):
     x0, x1, x2 = rows(x, lo, hi)
     v0, v1, v2 = rows(v, lo, hi)
-    mass, own, applied = mass[lo:hi], _parts(work.node, lo, hi), work.applied[lo:hi]
+    mass, applied = mass[lo:hi], applied[lo:hi]
+    own = None if works is None else _parts(works, lo, hi)
     gx, gy, gz = gravity[0], gravity[1], gravity[2]
     for i in range(mass.shape[0]):
         moving = 0.5 * (v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i])
-        done = _sum(own, i, 0.0) + applied[i]
+        done = (0.0 if own is None else _sum(own, i, 0.0)) + applied[i]
         sums[i] += mass[i] * (moving - (gx * x0[i] + gy * x1[i] + gz * x2[i])) - done
 
 
-@part
+@apart
 def _take_friction(friction, lo, hi, sums):
     friction = friction[lo:hi]
     for j in range(friction.shape[0]):

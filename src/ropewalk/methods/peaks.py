@@ -13,7 +13,7 @@ import math
 
 import numpy as np
 
-from ropewalk.core.jit import kernel, part, small
+from ropewalk.core.jit import apart, kernel, part, small
 from ropewalk.core.peaks import (
     FORCE,
     GREATEST,
@@ -100,17 +100,21 @@ def keep_squares(x, high, low, lo, hi):
         high[j], low[j] = greater(square, high[j]), lesser(square, low[j])
 
 
-@kernel
-def keep_tension(x, v, rest_length, stiffness, floor, vector, axial, high, low, lo, hi):
-    """Keep greatest and least tension of elastic segments, friction along them included."""
+@apart
+def keep_tension(x, v, rest_length, stiffness, floor, vector, axial, peaks, lo, hi):
+    """As `keep_squares`, and keep greatest and least tension, friction along the segments included."""
     x0, x1, x2 = rows(x, lo, hi + 1)
     v0, v1, v2 = rows(v, lo, hi + 1)
     rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
-    vector, axial, high, low = vector[lo:hi], axial[lo:hi], high[lo:hi], low[lo:hi]
+    vector, axial = vector[lo:hi], axial[lo:hi]
+    longest, shortest = peaks.square_high[lo:hi], peaks.square_low[lo:hi]
+    high, low = peaks.tension_high[lo:hi], peaks.tension_low[lo:hi]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
-        r = math.sqrt(dx * dx + dy * dy + dz * dz)
+        square = dx * dx + dy * dy + dz * dz
+        longest[j], shortest[j] = greater(square, longest[j]), lesser(square, shortest[j])
+        r = math.sqrt(square)
         rubs = vector[j] + axial[j] if floor[j] != 0.0 or r >= rest_length[j] else 0.0
         along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 else 0.0
         new = max(stiffness[j] * (r - rest_length[j]), floor[j]) + rubs * along
@@ -207,16 +211,15 @@ def keep_anchors(system, state, lo=0, hi=ALL):
 @part
 def keep_springs(system, state, rubs, lo=0, hi=ALL):
     """Look at elastic segments without bounds and winches; `rubs` tells whether any has friction."""
-    peaks = state.peaks
-    keep_squares(state.x, peaks.square_high, peaks.square_low, lo, hi)
-    if rubs or has_inner(system, state):
-        lengths, k, floor = state.rest_length, state.stiffness, system.slack_floor
+    peaks, lengths, k, floor = state.peaks, state.rest_length, state.stiffness, system.slack_floor
+    if rubs and not has_elastic_laws(system):
         vector, axial = state.damping_vector, state.damping_axial
-        high, low = peaks.tension_high, peaks.tension_low
-        if has_elastic_laws(system):
+        keep_tension(state.x, state.v, lengths, k, floor, vector, axial, peaks, lo, hi)
+    else:
+        keep_squares(state.x, peaks.square_high, peaks.square_low, lo, hi)
+        if has_elastic_laws(system) and (rubs or has_inner(system, state)):
+            high, low = peaks.tension_high, peaks.tension_low
             keep_laws(state, floor, system.elastic, high, low, lo, hi)
-        else:
-            keep_tension(state.x, state.v, lengths, k, floor, vector, axial, high, low, lo, hi)
 
 
 @part

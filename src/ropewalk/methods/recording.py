@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State
-from ropewalk.core.jit import kernel, part, seldom
+from ropewalk.core.jit import apart, kernel, part, seldom
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.elastic import solved_laws
@@ -208,7 +208,7 @@ def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
     return total_of(sums, 0)
 
 
-@part
+@apart
 def _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension):
     x0, x1, x2 = rows(x, lo, hi + 1)
     rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ropewalk.core.jit import part
+from ropewalk.core.jit import apart, part
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.inner import end_stages, next_stage
 from ropewalk.laws.ledger import account, book_growth
@@ -18,7 +18,7 @@ from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch import wind_to
 from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods.loop import make_advance
-from ropewalk.methods.scratch import add, add_forces, axpy, clear, clear_forces, put
+from ropewalk.methods.means import add_to_mean, begin_mean
 
 # nodes c (row 0) and weights b (row 1)
 EULER = np.array([[0.0], [1.0]])
@@ -26,22 +26,49 @@ HEUN = np.array([[0.0, 1.0], [0.5, 0.5]])
 RK4 = np.array([[0.0, 0.5, 0.5, 1.0], [1 / 6, 1 / 3, 1 / 3, 1 / 6]])
 
 
+@apart
+def begin(x, v, xs, vs):
+    """Begin a step: the first stage is the state; all (3, n)."""
+    for k in range(3):
+        xk, vk, places, speeds = x[k], v[k], xs[k], vs[k]
+        for i in range(xk.shape[0]):
+            places[i], speeds[i] = xk[i], vk[i]
+
+
+@apart
+def go_on(x, v, a, c, b, first, xs, vs, dx, dv):
+    """Add `b` [s] of a stage, the `first`, to what the step brings; write the next, at `c` [s] in it."""
+    for k in range(3):
+        xk, vk, ak, places, speeds, moved, pushed = x[k], v[k], a[k], xs[k], vs[k], dx[k], dv[k]
+        for i in range(xk.shape[0]):
+            moved[i] = (0.0 if first else moved[i]) + b * speeds[i]
+            pushed[i] = (0.0 if first else pushed[i]) + b * ak[i]
+            places[i] = xk[i] + c * speeds[i]
+            speeds[i] = vk[i] + c * ak[i]
+
+
+@apart
+def finish(x, v, a, b, first, vs, dx, dv, middle, ledger):
+    """Add `b` [s] of the last stage, and all that the step brings to the state; `first` if no other was."""
+    for k in range(3):
+        xk, vk, ak, speeds, moved, pushed, mid = x[k], v[k], a[k], vs[k], dx[k], dv[k], middle[k]
+        for i in range(xk.shape[0]):
+            xk[i] += (0.0 if first else moved[i]) + b * speeds[i]
+            push = (0.0 if first else pushed[i]) + b * ak[i]
+            if ledger:
+                mid[i] = vk[i] + 0.5 * push
+            vk[i] += push
+
+
 @part
 def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]."""
     xs, vs, a, middle = scratch.x, scratch.v, state.acceleration, scratch.middle
     dx, dv, mean = scratch.dx, scratch.dv, scratch.mean
-    clear_forces(system, mean)
-    clear(dx)
-    clear(dv)
-    for s in range(tableau.shape[1]):
+    last = tableau.shape[1] - 1
+    begin(state.x, state.v, xs, vs)
+    for s in range(last + 1):
         c, b = dt * tableau[0, s], dt * tableau[1, s]
-        if s == 0:
-            put(state.x, xs)
-            put(state.v, vs)
-        else:
-            axpy(state.x, c, vs, xs)
-            axpy(state.v, c, a, vs)
         if s > 0:
             # The last one may end at a kink, just before which `after` is.
             time = after if c == dt and system.kinks.shape[0] > 0 else t + c
@@ -52,14 +79,16 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             next_stage(system, state, xs, c, b, s == 0)
         evaluate(system, state, xs, vs, state.forces)
         accelerate(system, state, state.forces, a)
-        add_forces(system, state.forces, tableau[1, s], mean)
-        add(vs, b, dx)
-        add(a, b, dv)
-    if winds(system, state):
-        book_begin(system, state, state.x, t, after, scratch.turning)
-    add(dx, 1.0, state.x)
-    axpy(state.v, 0.5, dv, middle)
-    add(dv, 1.0, state.v)
+        if s == 0:
+            begin_mean(system, state, tableau[1, s], mean, ledger)
+        else:
+            add_to_mean(system, state, tableau[1, s], mean, ledger)
+        if s < last:
+            go_on(state.x, state.v, a, dt * tableau[0, s + 1], b, s == 0, xs, vs, dx, dv)
+        else:
+            if winds(system, state):
+                book_begin(system, state, state.x, t, after, scratch.turning)
+            finish(state.x, state.v, a, b, s == 0, vs, dx, dv, middle, ledger)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
         book_end(system, state, state.x, t, after, scratch.turning)

@@ -68,6 +68,15 @@ def add(values, weight, total):
 
 
 @kernel
+def put_times(values, weight, total):
+    """Write weight * values to `total`, arrays (3, m): the bits of `clear` and `add`, so never -0."""
+    for k in range(3):
+        row, more = total[k], values[k]
+        for i in range(row.shape[0]):
+            row[i] = 0.0 + weight * more[i]
+
+
+@kernel
 def clear(values):
     """Set an array (3, m) to zero."""
     for k in range(3):
@@ -156,6 +165,22 @@ def add_forces(system, forces, weight, total):
     if limits(system):
         add(forces.limiter, weight, total.limiter)
     _add_nodes(system, forces.node, total.node, weight, weight, 0, ALL)
+    if system.flags[APPLIED] == 1:
+        add(forces.applied, weight, total.applied)
+
+
+@part
+def begin_forces(system, forces, weight, total):
+    """As `clear_forces` and `add_forces`, of which springs and friction take one sweep."""
+    put_times(forces.elastic, weight, total.elastic)
+    put_times(forces.friction, weight, total.friction)
+    if has_bending(system):
+        put_times(forces.bending, weight, total.bending)
+    if limits(system):
+        put_times(forces.limiter, weight, total.limiter)
+    _clear_nodes(system, total.node, total.node, 0.0, 0.0, 0, ALL)
+    _add_nodes(system, forces.node, total.node, weight, weight, 0, ALL)
+    clear(total.applied)
     if system.flags[APPLIED] == 1:
         add(forces.applied, weight, total.applied)
 

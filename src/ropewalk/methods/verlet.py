@@ -8,7 +8,7 @@ Source: Swope, Andersen, Berens & Wilson 1982, J. Chem. Phys. 76:637; predictor 
 
 from __future__ import annotations
 
-from ropewalk.core.jit import part
+from ropewalk.core.jit import apart, part
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.inner import note_strains, relax_while_winding
 from ropewalk.laws.ledger import account, book_growth
@@ -16,7 +16,30 @@ from ropewalk.laws.rare import has_inner, winds
 from ropewalk.laws.table import accelerate, evaluate
 from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods.loop import make_advance
-from ropewalk.methods.scratch import add, add_forces, axpy, clear_forces, put
+from ropewalk.methods.means import add_to_mean, begin_mean
+
+
+@apart
+def drift(x, v, a, dt, old, predicted):
+    """Keep the acceleration, predict the velocity, and move all nodes, in one sweep, (3, n)."""
+    for k in range(3):
+        xk, vk, ak, kept, ahead = x[k], v[k], a[k], old[k], predicted[k]
+        for i in range(xk.shape[0]):
+            kept[i] = ak[i]
+            ahead[i] = vk[i] + dt * ak[i]
+            xk[i] = xk[i] + dt * vk[i] + 0.5 * dt * dt * ak[i]
+
+
+@apart
+def kick(v, old, a, dt, middle, ledger):
+    """Write velocities of the end, and for a ledger of the middle, of accelerations at both ends, (3, n)."""
+    for k in range(3):
+        vk, before, ak, mid = v[k], old[k], a[k], middle[k]
+        for i in range(vk.shape[0]):
+            both = before[i] + ak[i]
+            if ledger:
+                mid[i] = vk[i] + 0.25 * dt * both
+            vk[i] += 0.5 * dt * both
 
 
 @part
@@ -24,25 +47,19 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]."""
     x, v, a, middle = state.x, state.v, state.acceleration, scratch.middle
     old, predicted, mean = scratch.x, scratch.v, scratch.mean
-    clear_forces(system, mean)
+    begin_mean(system, state, 0.5, mean, ledger)
     if has_inner(system, state):
         note_strains(system, state)
-    add_forces(system, state.forces, 0.5, mean)
-    put(a, old)
-    axpy(v, dt, a, predicted)
     if winds(system, state):
         book_begin(system, state, x, t, after, scratch.turning)
-    add(v, dt, x)
-    add(a, 0.5 * dt * dt, x)
+    drift(x, v, a, dt, old, predicted)
     place_stage(system, state, after, dt, x, predicted, scratch.point, scratch.speed)
     if has_inner(system, state):
         relax_while_winding(system, state, dt, ledger)
     evaluate(system, state, x, predicted, state.forces)
     accelerate(system, state, state.forces, a)
-    add_forces(system, state.forces, 0.5, mean)
-    add(a, 1.0, old)
-    axpy(v, 0.25 * dt, old, middle)
-    add(old, 0.5 * dt, v)
+    add_to_mean(system, state, 0.5, mean, ledger)
+    kick(v, old, a, dt, middle, ledger)
     move_anchors(system, state, mean, after, dt, middle, scratch.point, scratch.speed)
     if winds(system, state):
         book_end(system, state, x, t, after, scratch.turning)
