@@ -14,6 +14,7 @@ import ropewalk as rw
 import runs
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.export import export
+from ropewalk.record.quantities import joined
 from ropewalk.record.result import Result
 
 
@@ -228,3 +229,85 @@ def test_parquet_without_pyarrow_says_what_to_install(
     with pytest.raises(RunError, match="pip install pandas pyarrow"):
         export(result, "parquet", tmp_path)
     assert list(tmp_path.iterdir()) == []
+
+
+_WHEN = ("extreme_places", "extreme_since", "extreme_until", "energy_error_times")
+
+
+@pytest.mark.parametrize("chosen", [{"every": 7}, {"every": 40}, {"times": [0.3, 1.9]}])
+@pytest.mark.parametrize("values", [500_000, 200])
+def test_greatest_and_least_are_since_the_row_before(
+    result: Result,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    chosen: dict[str, object],
+    values: int,
+) -> None:
+    """Frame by frame, by hand. Other quantities are those of the row's own frame."""
+    monkeypatch.setattr("ropewalk.record.selection._VALUES", values)
+    monkeypatch.setattr("ropewalk.record.skipped._VALUES", values)
+    names = ("greatest_tension", "least_height", "tension", "extremes", "energy_errors", *_WHEN)
+    (path,) = export(result, "npz", tmp_path / "all", quantities=names, **chosen)  # type: ignore
+    frames = [0, *range(7, result.frames, 7)] if chosen == {"every": 7} else None
+    if "times" in chosen:
+        frames = [result.frame_at(0.3), result.frame_at(1.9)]
+    frames = frames or [0, *range(40, result.frames, 40)]
+    with np.load(path) as found:
+        assert len(found["time"]) == len(frames)
+        own = joined(result.layout)
+        np.testing.assert_array_equal(found["tension"], result.tension[frames][:, own])
+        first = 0
+        for row, frame in enumerate(frames):
+            here = slice(first, frame + 1)
+            high = result.read("greatest_tension")[here].max(axis=0)[own]
+            np.testing.assert_array_equal(found["greatest_tension"][row], high)
+            low = result.read("least_height")[here].min(axis=0)
+            np.testing.assert_array_equal(found["least_height"][row], low)
+            best = first + int(np.argmax(result.read("extremes")[here, 0]))
+            lowest = first + int(np.argmin(result.read("extremes")[here, 5]))
+            for name in ("extremes", *_WHEN[:3]):
+                assert found[name][row, 0] == result.read(name)[best, 0]
+                assert found[name][row, 5] == result.read(name)[lowest, 5]
+            least = first + int(np.argmin(result.read("energy_errors")[here, 0]))
+            for name in ("energy_errors", _WHEN[3]):
+                np.testing.assert_equal(found[name][row, 0], result.read(name)[least, 0])
+            first = frame + 1
+
+
+def test_no_table_loses_a_peak_between_its_rows(result: Result) -> None:
+    """The twin: the frames of the rows alone miss it."""
+    every = result.frames - 1
+    header = "greatest tension [N]"
+    whole = result.table["largest tension [N]"]
+    assert result.to_pandas("segments", every=every)[header].max() == whole
+    assert result.to_pandas("run", every=every)[header].max() == whole
+    assert result.read("greatest_tension")[::every].max() < whole
+    plain = result.to_pandas("run")
+    assert plain[header].tolist() == result.read("extremes")[:, 0].tolist()
+
+
+@pytest.mark.parametrize("to", ["csv", "parquet"])
+def test_pieces_without_a_contact_change_no_table(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, to: str
+) -> None:
+    """A rope that falls onto the floor: no row before, and columns of no rows have no types."""
+    falling = rw.Rope(
+        segments=2, length=0.2, diameter=0.01,
+        made_of=rw.Material(EA=1e3, mass_per_length=0.1, axial_damping=1.0),
+        shape={"kind": "straight", "start": [0, 0, 0.1], "end": [0.2, 0, 0.1]},
+    )  # fmt: skip
+    run = {"duration": 0.25, "frame_rate": 40.0, "method": "semi-implicit-euler"}
+    scene = rw.Scene(ropes=[falling], obstacles=[{"kind": "plane", "name": "floor"}], run=run)
+    fall = rw.simulate(scene)
+    whole = fall.to_pandas("contacts")
+    monkeypatch.setattr("ropewalk.record.selection._VALUES", 1)
+    pieces = fall.to_pandas("contacts")
+    assert 0 < len(pieces) < 3 * fall.frames
+    pd.testing.assert_frame_equal(pieces, whole)
+    assert pieces["node"].dtype.kind == fall.datasets["contacts"]["node"].dtype.kind == "i"
+    read = pd.read_csv if to == "csv" else pd.read_parquet
+    for times, rows in ((None, len(whole)), ([0.0, 0.05], 0)):
+        out = tmp_path / str(rows)
+        files = export(fall, to, out, times=times)
+        (contacts,) = [path for path in files if path.stem == "contacts"]
+        assert len(read(contacts)) == rows

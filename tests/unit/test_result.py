@@ -6,9 +6,11 @@ import os
 import subprocess
 import sys
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import ropewalk as rw
 import runs
@@ -87,13 +89,17 @@ def test_the_energy_error_shrinks_with_the_step(result: Result) -> None:
     assert np.abs(fine.energy_error).max() < 0.2 * np.abs(result.energy_error).max()
 
 
-def test_without_a_ledger_the_balances_are_not_numbers() -> None:
+def test_without_a_ledger_the_balances_are_not_numbers(tmp_path: Path) -> None:
     bare = rw.simulate(runs.hanging(duration=0.1), ledger=False)
     assert np.isnan(bare.energy_error).all()
     assert np.isnan(bare.balance_residual).all()
     assert "no energy ledger" in repr(bare)
     assert all(np.isnan(work).all() for work in bare.work.values())  # zeros, which were told
     assert np.isnan(bare.dataset["work"]).all()
+    rw.run(runs.hanging(duration=0.1), tmp_path / "run", ledger=False)
+    with xr.open_zarr(tmp_path / "run" / "data.zarr", chunks=None) as data:
+        assert np.isnan(data["work"]).all()
+        assert np.isfinite(data["energy"]).all()
     labels = [line.get_label() for line in plots.energy(bare).axes[0].lines]
     assert not [label for label in labels if label.startswith("work of")]
 

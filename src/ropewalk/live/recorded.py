@@ -80,7 +80,8 @@ class Recorded:
     def _energy(self, frame: int) -> tuple[Floats, Floats]:
         """Return a frame's energies, and its work by laws and anchors [J]."""
         read = self.result.read
-        return read("energy", frame, frame + 1)[0], read("work", frame, frame + 1)[0]
+        work = np.nan_to_num(read("work", frame, frame + 1)[0])  # NaN without a ledger
+        return read("energy", frame, frame + 1)[0], work
 
     def _error(self, frame: int) -> float:
         """Return what no law accounts for in a frame's energy [J]."""
@@ -217,6 +218,7 @@ class Recorded:
             if self.result.ends:  # a rope that broke lies still, and carries nothing that is known
                 still = ("velocities", "tension", "elastic_tension", "reactions")
                 found |= {name: np.nan_to_num(found[name]) for name in still if name in found}
+            found["work"] = np.nan_to_num(found["work"])  # NaN without a ledger
             self._data = found
             self._piece = piece
         return self._data, frame - piece * _PIECE

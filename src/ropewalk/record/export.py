@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.files import PARTIAL, writing
 from ropewalk.record.quantities import BY_NAME, QUANTITIES, labels, rope_numbers, sizes
-from ropewalk.record.selection import DEFAULT, Indices, Selection, select, take
+from ropewalk.record.selection import DEFAULT, Indices, Selection, select
 from ropewalk.record.tables import Table, tables
 from ropewalk.record.vtk import write_vtk
 from ropewalk.words.nearest import nearest
@@ -56,7 +56,8 @@ def export(
             record are left out.
         nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
         times: only the frames nearest to these times [s].
-        every: only every so many frames.
+        every: only every so many frames. Greatest and least are of all steps since the row before, those of
+            chosen times, too, and of the first row since the start; what comes after the last row is in none.
         rope: only this rope.
         layout: "long", a row per frame and node, or "wide", a row per frame.
         overwrite: replace files of an earlier export.
@@ -198,7 +199,7 @@ def _write_pieces(
     with archive.open(f"{title}.npy", "w", force_zip64=True) as file:
         np.lib.format.write_array_header_1_0(file, header)
         for piece in chosen.pieces(result):
-            array = _picked(take(result, name, piece), name, chosen)
+            array = _picked(chosen.take(result, name, piece), name, chosen)
             file.write(np.ascontiguousarray(array, dtype="<f8").tobytes())
 
 

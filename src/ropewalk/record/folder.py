@@ -58,7 +58,7 @@ def begin(folder: Path, scene: Scene, layout: Layout, facts: Facts, chunk: int) 
     if ropes := {rope.name: about for rope in scene.ropes if (about := origin(rope.made_of))}:
         provenance["ropes_of_the_library"] = ropes
     write_sealed(folder / PROVENANCE, provenance, sync=True)
-    writer = Writer(folder / DATA, scene, layout, chunk, is_packed(facts.plan))
+    writer = Writer(folder / DATA, scene, layout, chunk, is_packed(facts.plan), facts.ledger)
     writer.create(provenance)
     return writer
 

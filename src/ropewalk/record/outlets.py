@@ -99,7 +99,8 @@ class Outlets:
                 row per frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
-            every: only every so many frames.
+            every: only every so many frames. Greatest and least are of all steps since the row before, those
+                of chosen times, too, and of the first row since the start.
             rope: only this rope.
 
         Raises InputError (a ValueError) for a table, nodes, times or a rope that are not there, RunError
@@ -136,7 +137,8 @@ class Outlets:
                 does not record are left out.
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
-            every: only every so many frames.
+            every: only every so many frames. Greatest and least are of all steps since the row before, those
+                of chosen times, too, and of the first row since the start.
             rope: only this rope.
             layout: "long", a row per frame and node, or "wide", a row per frame.
             overwrite: replace files of an earlier export.

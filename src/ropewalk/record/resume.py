@@ -101,6 +101,6 @@ def _take_up(folder: Path, simulation: Simulation, frames: int) -> Writer:
     stored = Stored(folder / DATA, simulation.scene, simulation.layout)
     stored.go_to(frames)
     scene, layout, packed = simulation.scene, simulation.layout, is_packed(simulation.plan)
-    writer = Writer(folder / DATA, scene, layout, stored.chunk, packed)
+    writer = Writer(folder / DATA, scene, layout, stored.chunk, packed, simulation.ledger)
     writer.go_on(stored, frames)
     return writer

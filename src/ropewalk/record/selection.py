@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ropewalk.record.books import told
 from ropewalk.record.errors import InputError
 from ropewalk.record.quantities import QUANTITIES
+from ropewalk.record.skipped import is_of_steps, of_rows
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
@@ -62,9 +63,17 @@ class Selection:
             for start in range(0, len(piece), most):
                 yield piece[start : start + most]
 
+    def take(self, result: Result, name: str, piece: Indices) -> NDArray[np.float64]:
+        """Return a quantity of a piece of the frames; greatest and least are since the row before."""
+        row = int(np.searchsorted(self.frames, piece[0]))
+        first = int(self.frames[row - 1]) + 1 if row else 0
+        if is_of_steps(name) and int(piece[-1]) - first >= len(piece):  # frames are left out
+            return of_rows(result, name, piece, first)
+        return take(result, name, piece)
+
 
 def take(result: Result, name: str, frames: Indices) -> NDArray[np.float64]:
-    """Return a quantity of some frames (rising numbers), works as they are told."""
+    """Return a quantity of some frames (rising numbers) as they have it, works as they are told."""
     start = int(frames[0])
     return told(result, name, result.read(name, start, int(frames[-1]) + 1)[frames - start])
 

@@ -22,7 +22,7 @@ from ropewalk.lowering import Layout
 from ropewalk.methods.recording import LARGE, Recording, make_recording
 from ropewalk.record.dataset import TIME, attributes, coordinates
 from ropewalk.record.files import sync_all, write, write_json, write_pages
-from ropewalk.record.quantities import Quantity, raw, recorded, sizes
+from ropewalk.record.quantities import CONTACT_WORK, Quantity, raw, recorded, sizes
 from ropewalk.record.seal import crc_of
 from ropewalk.record.zarr_format import (
     CHECKSUM,
@@ -87,13 +87,20 @@ class Writer:
     """Writes the blocks of a run into a store; `frames` counts what was handed in."""
 
     def __init__(
-        self, folder: Path, scene: Scene, layout: Layout, chunk: int, packed: bool = True
+        self,
+        folder: Path,
+        scene: Scene,
+        layout: Layout,
+        chunk: int,
+        packed: bool = True,
+        ledger: bool = True,
     ) -> None:
-        """Unless `packed`, full chunks of LARGE quantities are not compressed."""
+        """Unless `packed`, full chunks of LARGE are not compressed; works without a ledger are NaN."""
         self.folder, self.chunk, self.packed = folder, chunk, packed
         self._scene, self._layout = scene, layout
         self.quantities = recorded(layout, scene)
         self._specs = array_specs(self.quantities, layout, chunk)
+        self._unknown = () if ledger else ("work", CONTACT_WORK)
         self._fields = ["", *(quantity.field for quantity in self.quantities)]
         self._fixed: dict[str, dict[str, Any]] = {}
         self._attributes: dict[str, Any] = {}
@@ -150,7 +157,8 @@ class Writer:
     def add_raw(self, arrays: list[Floats], room: Room | None = None) -> None:
         """Take frames as they are recorded: time, then the quantities in order. Raises OSError."""
         for place, array in enumerate(arrays):
-            self._take(place, array, room)
+            known = self._specs[place].name not in self._unknown
+            self._take(place, array if known else np.full_like(array, np.nan), room)
         self.frames += len(arrays[0])
 
     def _take(self, place: int, array: Floats, room: Room | None) -> None:

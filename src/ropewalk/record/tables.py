@@ -27,6 +27,7 @@ from ropewalk.record.quantities import (
 from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
 from ropewalk.record.rope_contact_table import rope_rows
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
+from ropewalk.record.skipped import is_of_steps
 from ropewalk.record.slide_table import HEADERS as SLIDE_COLUMNS
 from ropewalk.record.slide_table import slide_rows
 from ropewalk.words.nearest import nearest
@@ -139,9 +140,11 @@ def _components(result: Result, quantity: str) -> list[tuple[str, str]]:
     return [(_GREATEST.get(quantity, quantity.replace("_", " ")), unit)]
 
 
-def _values(result: Result, quantity: str, piece: Indices, places: Indices) -> NDArray[np.float64]:
+def _values(
+    result: Result, chosen: Selection, quantity: str, piece: Indices, places: Indices
+) -> NDArray[np.float64]:
     """Return (frames, places, components)."""
-    array = take(result, quantity, piece)[:, places]
+    array = chosen.take(result, quantity, piece)[:, places]
     return array[..., None] if array.ndim == 2 else array
 
 
@@ -161,7 +164,7 @@ def _long(
             columns: Columns = [np.repeat(take(result, "time", piece), len(places))]
             columns += [np.tile(key, len(piece)) for key in keys.values()]
             for quantity in quantities:
-                values = _values(result, quantity, piece, places)
+                values = _values(result, chosen, quantity, piece, places)
                 columns += [values[..., k].ravel() for k in range(values.shape[-1])]
             yield columns
 
@@ -185,15 +188,20 @@ def _wide(
         for piece in chosen.pieces(result):
             columns: Columns = [take(result, "time", piece)]
             for quantity in quantities:
-                values = _values(result, quantity, piece, places)
+                values = _values(result, chosen, quantity, piece, places)
                 columns += list(values.reshape(len(piece), -1).T)
             yield columns
 
     return Table(name, headers, pieces)
 
 
-def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
-    """Return the series of a quantity of the whole run by header, each (frames,)."""
+def series(
+    result: Result, quantity: str, of_rows: NDArray[np.float64] | None = None
+) -> dict[str, NDArray[np.float64]]:
+    """Return the series of a quantity of the whole run by header, each (frames,).
+
+    Of greatest and least rows may be given, (rows, columns), in place of the frames.
+    """
     unit = BY_NAME[quantity].unit
     if quantity == "energy":
         found = {f"{name} energy [{unit}]": array for name, array in result.energy.items()}
@@ -213,7 +221,7 @@ def series(result: Result, quantity: str) -> dict[str, NDArray[np.float64]]:
     if quantity in OF_ERRORS and not result.facts.ledger:
         return {}
     symbol = quantity.replace("_", " ")
-    array = result.read(quantity)
+    array = result.read(quantity) if of_rows is None else of_rows
     if quantity in OF_EXTREMES:  # but those that there are none of, as moments without a clamp
         about, units = OF_EXTREMES[quantity], EXTREME_UNITS if quantity == "extremes" else None
         return {
@@ -236,12 +244,19 @@ def _run_table(result: Result, chosen: Selection) -> Table | None:
     columns = {"time [s]": result.time}
     for quantity in whole:
         columns |= series(result, quantity)
+    rows = {name: array[chosen.frames] for name, array in columns.items()}
+    for quantity in whole:
+        if is_of_steps(quantity):
+            of_steps = chosen.take(result, quantity, chosen.frames)
+            headers = series(result, quantity, of_steps)
+            rows |= {name: array for name, array in headers.items() if name in rows}
 
     def pieces() -> Iterator[Columns]:
         for piece in chosen.pieces(result):
-            yield [array[piece] for array in columns.values()]
+            here = np.searchsorted(chosen.frames, piece)
+            yield [array[here] for array in rows.values()]
 
-    return Table("run", list(columns), pieces)
+    return Table("run", list(rows), pieces)
 
 
 def contact_tables(result: Result, chosen: Selection) -> list[Table]:
@@ -279,8 +294,15 @@ def contact_tables(result: Result, chosen: Selection) -> list[Table]:
 def _each(
     chosen: Selection, result: Result, make: Callable[[Indices], Columns]
 ) -> Iterator[Columns]:
+    """Yield pieces with rows; where there is none, one without, whose columns have no types of their own."""
+    made, none = None, True
     for piece in chosen.pieces(result):
-        yield make(piece)
+        made = make(piece)
+        if len(made[0]):
+            none = False
+            yield made
+    if none and made is not None:
+        yield made
 
 
 OF_EXTREMES = {

@@ -56,7 +56,12 @@ _FLAGS = {
     metavar="S",
     help="Only the frame nearest to this time, in seconds; can be given again.",
 )
-@click.option("--every", type=int, metavar="N", help="Only every N-th frame.")
+@click.option(
+    "--every",
+    type=int,
+    metavar="N",
+    help="Only every N-th frame; greatest and least are since the row before.",
+)
 @click.option(
     "--long/--wide",
     "long",
