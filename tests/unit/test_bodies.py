@@ -88,6 +88,36 @@ def test_velocity_and_rate_hold_until_told_otherwise() -> None:
     assert (drum.angle, drum.rate) == pytest.approx((0.0, 0.0), abs=1e-12)
 
 
+@pytest.mark.parametrize("parts", [1.0, 10.37, 33.3])
+def test_it_arrives_with_the_step_that_is_as_long(parts: float) -> None:
+    """Cut anew into equal steps, shorter than those that went before, as an anchor does."""
+    simulation = rw.Simulation(on_a_table())
+    steps(simulation, 0.05)
+    table, drum, seconds = (*map(simulation.obstacles.get, ("table", "drum")), parts * STEP)
+    assert table is not None
+    assert drum is not None
+    table.move_to((0.0, 0.0, 0.002), seconds)
+    drum.turn_to(0.3, seconds)
+    simulation.step(seconds)
+    assert table.position == pytest.approx([0.0, 0.0, 0.002], abs=1e-12)
+    assert drum.angle == pytest.approx(0.3, abs=1e-12)
+    simulation.step(0.37 * STEP)
+    assert table.velocity == pytest.approx(np.zeros(3))
+    assert (drum.angle, drum.rate) == pytest.approx((0.3, 0.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("parts", [10.37, 33.3])
+def test_a_stop_within_a_step_gives_no_other_work(parts: float) -> None:
+    works = []
+    for count in (parts, np.ceil(parts)):
+        simulation = rw.Simulation(on_a_table())
+        simulation.obstacles["table"].move_to((0.0, 0.0, 0.02), count * STEP)
+        steps(simulation, 60 * STEP)
+        assert simulation.obstacles["table"].position == pytest.approx([0.0, 0.0, 0.02], abs=1e-12)
+        works.append(simulation.arrays.work.node.obstacle.sum())
+    assert works[0] == pytest.approx(works[1], rel=1e-6)
+
+
 def test_going_back_takes_the_hand_off() -> None:
     simulation = led("implicit-euler")
     moment = simulation.state

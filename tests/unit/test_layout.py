@@ -40,6 +40,9 @@ def test_every_index_belongs_to_the_rope_whose_span_holds_it() -> None:
 
 def test_what_is_not_there_is_named() -> None:
     layout = laid_out()
+    for wrong in ("left", 1.5, None):
+        with pytest.raises(IndexError, match=rf"has the nodes 0 to \d+, not {wrong!r}"):
+            layout.node(wrong, layout.ropes[0].name)  # type: ignore[arg-type]
     with pytest.raises(IndexError, match=f"there are {layout.nodes} nodes"):
         layout.rope_of(layout.nodes)
     with pytest.raises(KeyError, match="not 'd'"):

@@ -69,7 +69,7 @@ class ObstacleHandle:
     def move_to(self, position: ArrayLike, duration: float) -> None:
         """Let it go to a `position` [m], (3,), straight and evenly, in `duration` [s], and rest there.
 
-        It arrives at the end of a step, with steps of one length. Whatever motion it had is forgotten.
+        `Simulation.step` of that duration ends there. Whatever motion it had is forgotten.
 
         Raises ValueError for anything but three finite numbers, for a duration that is not positive and
         finite, for one that has a mass, and for a speed at which it would jump over nodes within a step.
@@ -190,13 +190,17 @@ class ObstacleHandle:
         return angle, float(by_motion[3] + (rate if start <= time < stop else 0.0))
 
     def _whole(self, duration: float) -> tuple[float, float]:
-        """Return a duration [s] as that of whole steps, where they have one length, and when it ends [s]."""
+        """Return a duration [s], and when it ends [s]: as it is, or one that comes with a step's end to that.
+
+        What is no whole number of the present steps is left as it is, for `Simulation.step` cuts it anew.
+        """
         seconds = _finite("duration", duration, "s")
         if not seconds > 0.0:
             raise ValueError(f"duration: {duration!r} - must be a positive number of seconds")
         start, step, done = self._simulation.clock
-        count = max(1, math.ceil(seconds / step - _EVEN))
-        stop = start + (done + count) * step
+        count = max(1, round(seconds / step))
+        whole = abs(seconds / step - count) <= _EVEN
+        stop = start + (done + count) * step if whole else self._simulation.time + seconds
         late = stop * (1.0 + _LATE)  # a step that ends there sees the velocity before it
         return late - self._simulation.time, late
 

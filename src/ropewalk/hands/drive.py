@@ -107,7 +107,10 @@ class Driven:
 
     @property
     def reactions(self) -> Floats:
-        """Force of each anchor on the rope [N], (anchors, 3), mean over the last step, a copy."""
+        """Force of each anchor on the rope [N], (anchors, 3), a copy.
+
+        Mean over the last of the equal steps that a call of `step` takes, not over the call.
+        """
         return np.array(self._state.reaction)
 
     @property

@@ -121,7 +121,10 @@ class AnchorHandle:
 
     @property
     def reaction(self) -> Floats:
-        """Force of the anchor on the rope [N], (3,), mean over the last step, a copy."""
+        """Force of the anchor on the rope [N], (3,), a copy.
+
+        Mean over the last of the equal steps that a call of `step` takes, not over the call.
+        """
         return np.array(self._simulation.arrays.reaction[self._row])
 
     @property

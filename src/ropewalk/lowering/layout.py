@@ -6,6 +6,7 @@ import math
 from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
+from operator import index
 
 from ropewalk.laws.acting import section_of
 from ropewalk.laws.registry import NODE_LAWS
@@ -101,17 +102,21 @@ class Layout:
         """
         span = self.span(rope)
         count = span.end - span.start + 1
-        if not -count <= node < count:
-            raise IndexError(f"rope {span.name!r} has the nodes 0 to {count - 1}, not {node}")
-        return span.start + node % count
+        try:
+            number = index(node)
+        except TypeError:  # a name, a part of a number
+            number = count
+        if not -count <= number < count:
+            raise IndexError(f"rope {span.name!r} has the nodes 0 to {count - 1}, not {node!r}")
+        return span.start + number % count
 
-    def rope_of(self, index: int) -> tuple[str, int]:
+    def rope_of(self, place: int) -> tuple[str, int]:
         """Return rope name and node number of an array index."""
-        number = bisect_left(self._lasts, index)
+        number = bisect_left(self._lasts, place)
         if number == len(self.ropes):
-            raise IndexError(f"there are {self.nodes} nodes, no index {index}")
+            raise IndexError(f"there are {self.nodes} nodes, no index {place}")
         span = self.ropes[number]
-        return span.name, index - span.start
+        return span.name, place - span.start
 
 
 def make_layout(scene: Scene) -> Layout:
