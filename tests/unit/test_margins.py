@@ -86,3 +86,36 @@ def test_the_forces_of_one_moment_do_not_hide_those_of_the_run() -> None:
     assert f"safety factor {least:.3g} since the start" in texts
     assert "% of the breaking load at this moment" in texts
     assert texts.count("safety factor") == 1
+
+
+def test_half_a_segment_of_a_heavy_rope_is_told_where_the_anchor_bears_it() -> None:
+    """400 m of wire with 100 kg: utilisation and anchor's force are apart, and less so with more segments."""
+    row, bears = "about the largest tension", {}
+    for segments, apart in ((4, 0.09), (20, 0.015)):
+        wire = rw.Rope(
+            segments=segments,
+            length=400.0,
+            made_of="wire-7x19-12",
+            shape={"kind": "hanging"},
+            loads=[{"node": -1, "mass": 100.0}],
+        )
+        hung = rw.Scene(ropes=[wire], anchors=[{"node": 0}], run={"duration": 0.1})
+        made_of = wire.made_of
+        weight = 9.81 * (100.0 + 400.0 * made_of.mass_per_length)
+        rest = rw.equilibrium(hung)
+        most = float(rest.table["largest tension [N]"])
+        assert weight / most > 1.0 + apart
+        assert rest.table[row].startswith(f"the anchor bears {weight:.6g} N, half a segment's")
+        said = rw.check(hung).ropes[0]
+        assert said.largest_anchor_force == pytest.approx(weight, rel=1e-6)
+        assert "its anchor bears" in " ".join(said.lines())
+        bears[segments] = weight / most
+        run = rw.simulate(hung.replace(**{"run.start": "at-rest", "run.frame_rate": 20.0}))
+        assert run.table[row].startswith(f"the anchor bears {weight:.0f}")
+    assert bears[20] < bears[4]
+    assert row not in rw.equilibrium(hung.replace(**{"rope.segments": 40})).table  # below 1 %
+    # The twins: a light rope, and a load at the anchor itself, which explains what it bears.
+    light = hung.replace(**{"rope.length": 4.0})
+    assert row not in rw.equilibrium(light).table
+    held = [{"node": 0, "mass": 50.0}, {"node": -1, "mass": 100.0}]
+    assert row not in rw.equilibrium(hung.replace(**{"rope.loads": held})).table

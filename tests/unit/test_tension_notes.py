@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ropewalk as rw
-from ropewalk.record.tension_notes import _is_pressed, wave_time
+from ropewalk.record.tension_notes import is_pressed, wave_time
 from ropewalk.scene import Plane, Straight
 
 MEAN = "about the largest anchor force"
@@ -27,7 +27,7 @@ def test_a_snap_in_steps_too_long_for_it_says_how_good_its_peak_is() -> None:
     assert peak(half) > 1.15 * peak(coarse)  # what the sentence is for
     # steps that resolve the jerk have no note, and hardly change with half of them
     fine = rw.simulate(scene.replace(**{"run.time_step": wave_time(scene.ropes[0]) / 12.0}))
-    assert JERK not in fine.table
+    assert "a jerk" not in fine.table.get(JERK, "")
     finer = rw.simulate(scene.replace(**{"run.time_step": wave_time(scene.ropes[0]) / 24.0}))
     assert peak(finer) == pytest.approx(peak(fine), rel=0.02)
 
@@ -36,14 +36,14 @@ def test_a_snap_in_steps_too_long_for_it_says_how_good_its_peak_is() -> None:
 def test_smooth_runs_have_no_such_note(name: str) -> None:
     scene = rw.preset(name)
     coarse = rw.simulate(scene.replace(**{"run.duration": min(scene.run.duration, 2.5)}))
-    assert JERK not in coarse.table
+    assert "a jerk" not in coarse.table.get(JERK, "")
     half = rw.simulate(coarse.scene.replace(**{"run.time_step": 0.5 * coarse.plan.dt}))
     assert peak(half) == pytest.approx(peak(coarse), rel=0.005)
 
 
 def test_a_peak_that_comes_smoothly_has_none_though_the_rope_goes_slack_after_it() -> None:
     """The chain's tension grows to its largest over its whole fall."""
-    assert JERK not in rw.simulate(rw.preset("falling-chain")).table
+    assert "a jerk" not in rw.simulate(rw.preset("falling-chain")).table.get(JERK, "")
 
 
 def test_a_chain_that_falls_free_carries_no_jerk_but_rounding() -> None:
@@ -59,7 +59,7 @@ def test_a_chain_that_falls_free_carries_no_jerk_but_rounding() -> None:
     run = {"method": "esdirk3", "duration": 0.2, "frame_rate": 100, "time_step": 1e-3}
     result = rw.simulate(rw.Scene(ropes=[chain], obstacles=[Plane()], run=run))
     assert 0.0 < peak(result) < 1e-9
-    assert JERK not in result.table
+    assert "a jerk" not in result.table.get(JERK, "")
 
 
 def test_a_negative_tension_says_what_pushes() -> None:
@@ -79,7 +79,7 @@ def test_the_segment_at_a_drum_reads_what_the_drum_holds() -> None:
     run = rw.simulate(
         rw.preset("crane-snap").replace(**{"run.duration": 1.0, "run.time_step": 1.2e-4})
     )
-    assert JERK not in run.table
+    assert "a jerk" not in run.table.get(JERK, "")
     assert peak(run) == pytest.approx(float(run.table["largest anchor force [N]"]), rel=1e-3)
 
 
@@ -107,7 +107,7 @@ def test_only_what_presses_on_the_anchor_hides_that_its_force_is_a_mean() -> Non
     far = {"obstacles": [Plane(point=(0, 0, -50.0))], "rope.diameter": 0.01}
     result = rw.simulate(swinging((5.0, 0.0, 0.0), 16, method="bdf2").replace(**far))
     assert result.table[MEAN].startswith("the mean over a step")
-    assert not _is_pressed(result, 0, 1.0)
+    assert not is_pressed(result, 0, 1.0)
     near = {"obstacles": [Plane(point=(0, 0, -0.005))], "rope.diameter": 0.01, "anchors": []}
     lying = rw.simulate(swinging((5.0, 0.0, 0.0), 5, duration=0.1).replace(**near))
-    assert _is_pressed(lying, 0, 0.1)
+    assert is_pressed(lying, 0, 0.1)

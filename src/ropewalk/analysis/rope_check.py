@@ -12,6 +12,7 @@ from ropewalk.analysis.strains import strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import slopes_at_rest
+from ropewalk.record.end_weight import anchor_beside, is_end_weight
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
@@ -30,6 +31,7 @@ _OF_REST = (  # None where it is not at rest
     "utilisation",
     "worst",
     "largest_push",
+    "largest_anchor_force",
 )
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
@@ -59,6 +61,9 @@ class RopeCheck:
     doubt: str = ""  # what guesses make of the utilisation
     worst: float | None = None  # utilisation with the least of a guessed breaking load [1]
     largest_push: float = 0.0  # at rest, of a segment that is pressed [N]; 0 where none is
+    largest_anchor_force: float | None = (
+        None  # beside the largest tension, where it is half a segment's weight more [N]
+    )
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -73,6 +78,9 @@ class RopeCheck:
             "" if self.largest_strain is None else f", strain {strain_words(self.largest_strain)}"
         )
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
+        if self.largest_anchor_force is not None:
+            bears = prefixed(self.largest_anchor_force, "N", 5)
+            text.append(f"  at rest: its anchor bears {bears}, half a segment's weight more")
         if self.largest_push > 0.0:
             text.append(f"  at rest: largest push {prefixed(self.largest_push, 'N', 5)}")
         if self.utilisation is not None:
@@ -138,7 +146,19 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         doubt="" if use is None else doubt_of(rope.made_of, use),
         worst=None if use is None else worst_of(rope.made_of, use),
         largest_push=largest_push(tension, statics.residual),
+        largest_anchor_force=_anchor_force(model, statics, span.start + int(np.argmax(tension))),
     )
+
+
+def _anchor_force(model: Model, statics: Statics, segment: int) -> float | None:
+    """Return the force of the anchor beside a segment [N], where half the segment's weight makes it more."""
+    row = anchor_beside(model.scene, model.layout, segment)
+    if row is None:
+        return None
+    force = float(np.linalg.norm(statics.reactions[row]))
+    tension = float(statics.tension[segment])
+    more = is_end_weight(model.scene, model.layout, segment, tension, force)
+    return force if more else None
 
 
 def _speeds_along(

@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.balances import energy_note, lost_note
 from ropewalk.record.deep_note import deep_note
+from ropewalk.record.end_weight import weight_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
@@ -20,7 +21,13 @@ from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.reach_note import reach_note
-from ropewalk.record.tension_notes import anchor_note, curve_note, push_note, tension_note
+from ropewalk.record.tension_notes import (
+    anchor_note,
+    curve_note,
+    is_pressed,
+    push_note,
+    tension_note,
+)
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.pushes import largest_push
@@ -163,7 +170,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     force = found["greatest anchor force"]
     hard = hard_note(result, found)
     notes = {
-        "greatest tension": tension_note(result, most),
+        "greatest tension": tension_note(result, most) or _weight_note(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
         "greatest anchor force": "" if hard else anchor_note(result, force, most),
@@ -177,6 +184,12 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         if notes.get(name):
             told[f"about the {title.partition(' [')[0]}"] = notes[name]
     return told | ({"about hard stops": hard} if hard else {})
+
+
+def _weight_note(result: Result, peak: Extreme) -> str:
+    """Return what the anchor beside the largest tension bears where that is more by the rope's weight."""
+    pressed = any(is_pressed(result, node, peak.until) for node in (peak.place, peak.place + 1))
+    return weight_note(result, peak, pressed)
 
 
 def _titles(result: Result) -> dict[str, str]:
@@ -208,9 +221,10 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the numbers of an equilibrium, without those of a motion."""
     about = result.facts.provenance["statics"]
     table: dict[str, Any] = {"status": result.status}
-    most, least = found["greatest tension"].value, found["least tension"]
+    peak, least = found["greatest tension"], found["least tension"]
     notes = {
-        "least tension": push_note(result, least, most)
+        "greatest tension": _weight_note(result, peak),
+        "least tension": push_note(result, least, peak.value)
         if largest_push(result.tension[0], result.residual)
         else "",
         "greatest stretch": curve_note(result, found["greatest stretch"]),

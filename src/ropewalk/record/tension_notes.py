@@ -91,7 +91,7 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
     ends = [(span.first, span.first) for span in result.layout.ropes]
     ends += [(span.last, span.last - 1) for span in result.layout.ropes]
     moved = result.scene.anchors[force.place].motion.kind != "fixed"
-    borne = node in result.layout.tied_nodes or _is_pressed(result, node, force.until)
+    borne = node in result.layout.tied_nodes or is_pressed(result, node, force.until)
     if (node, tension.place) not in ends or borne or moved:
         return ""
     rope, (_, number) = _rope_at(result, tension), result.layout.rope_of(node)
@@ -108,7 +108,7 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
     )
 
 
-def _is_pressed(result: Result, node: int, time: float) -> bool:
+def is_pressed(result: Result, node: int, time: float) -> bool:
     """Return whether anything touches a node in the frames about a time [s]."""
     if "contact_force" not in result.source.names:
         return result.layout.touches

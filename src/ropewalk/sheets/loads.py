@@ -94,6 +94,8 @@ def rest_section(
     items: list[Item] = [Table(head, rows)] if rows else []
     items += _anchor_table(result, result.reactions[0]) + _clamp_table(result)
     items += _utilisation(result, then)
+    if note := result.table.get("about the largest tension"):
+        items.append(Text(f"The largest tension at rest is that of a segment: {note}."))
     if note := result.table.get("about the least tension"):
         least = _value(float(np.nanmin(result.tension[0])), "N")
         items.append(Text(f"The least tension at rest is {least}, {note}.", warning=True))

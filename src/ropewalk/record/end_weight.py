@@ -1,0 +1,74 @@
+"""Half a segment's weight at a rope's end: the anchor there bears it, and no segment does.
+
+The mass of a rope lies in its nodes, of each segment half at either end. So the tension of the segment beside
+an anchor is that of its middle, and a heavy rope pulls by as much more at the anchor as half of it weighs.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ropewalk.words.percents import percent
+
+if TYPE_CHECKING:
+    from ropewalk.lowering import Layout
+    from ropewalk.record.extremes import Extreme
+    from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
+
+_MORE = 0.01  # [1] of the tension: an anchor that bears so much more is told
+_ROUNDING = 0.02  # [1] of half a segment's weight
+
+
+def anchor_beside(scene: Scene, layout: Layout, segment: int) -> int | None:
+    """Return the row of the anchor at a rope's end beside this segment; None where more than it is there.
+
+    None, too, of an anchor that moves, and of springs, whose nodes have masses of their own.
+    """
+    name, _ = layout.rope_of(segment)
+    rope, span = scene.rope_named(name), layout.span(name)
+    nodes = [one.node for one in rope.loads] + [one.node for one in rope.forces]
+    given = [rope.node_index(node) for node in nodes]
+    for node, beside in ((span.first, span.first), (span.last, span.last - 1)):
+        if beside != segment or node not in layout.anchor_nodes or rope.made_of.kind == "springs":
+            continue
+        row = layout.anchor_nodes.index(node)
+        alone = node not in layout.tied_nodes and node - span.start not in given
+        if alone and scene.anchors[row].motion.kind == "fixed":
+            return row
+    return None
+
+
+def is_end_weight(scene: Scene, layout: Layout, segment: int, tension: float, force: float) -> bool:
+    """Tell whether an anchor bears more than the tension beside it [N], by half of that segment's weight."""
+    rope = scene.rope_named(layout.rope_of(segment)[0])
+    half = 0.5 * rope.own_mass / rope.segments * math.hypot(*scene.gravity)
+    more = force - tension
+    return tension > 0.0 and _MORE * tension < more <= half * (1.0 + _ROUNDING)
+
+
+def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
+    """Say what the anchor beside the largest tension bears, where that is half a segment's weight more.
+
+    `pressed`: something touches the rope there, which the anchor bears, too.
+    """
+    if not peak.value > 0.0 or not math.isfinite(peak.value) or pressed:
+        return ""
+    row = anchor_beside(result.scene, result.layout, peak.place)
+    if row is None:
+        return ""
+    if "greatest_reactions" in result.source.names:
+        force = float(result.read("greatest_reactions", 0, result.good_frames)[:, row].max())
+    else:
+        pulls = result.read("reactions", 0, result.good_frames)[:, row]
+        force = float(np.linalg.norm(pulls, axis=1).max())
+    if not is_end_weight(result.scene, result.layout, peak.place, peak.value, force):
+        return ""
+    more = percent(100.0 * (force / peak.value - 1.0))
+    return (
+        f"the anchor bears {force:.6g} N, half a segment's weight more ({more}); "
+        "more segments bring the two together"
+    )
