@@ -9,7 +9,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.lowering import build
-from ropewalk.scene import Cylinder, SceneError, Straight, loads
+from ropewalk.scene import Cylinder, Plane, SceneError, Straight, loads
 
 ROPE = """
 [run]
@@ -131,3 +131,46 @@ def test_what_is_tied_to_an_anchor_inside_an_obstacle_may_stand_there(tied: bool
         return
     with pytest.raises(rw.SceneError, match=r"rope\[1\].shape: .* inside obstacle 'bar'"):
         rw.Simulation(scene)
+
+
+def test_a_rope_that_others_do_not_touch_is_not_pressed_in_by_them() -> None:
+    """A light line 20 mm inside a floor was let in for 2 t beside it, and thrown up at 12 m/s."""
+
+    def level(name: str, y: float, z: float, load: float) -> rw.Rope:
+        return rw.Rope(
+            name=name, segments=10, length=1.0, diameter=0.01,
+            made_of=rw.Material(EA=1e4, mass_per_length=0.05, axial_damping=1.0),
+            shape=Straight(start=(0.0, y, z), end=(1.0, y, z)),
+            loads=[rw.Load(node=5, mass=load)] if load else [],
+        )  # fmt: skip
+
+    scene = rw.Scene(
+        ropes=[level("light", 0.0, -0.015, 0.0), level("heavy", 3.0, 0.5, 2000.0)],
+        obstacles=[Plane(name="floor")],
+    )
+    with pytest.raises(
+        rw.SceneError, match=r"rope.0.\.shape: .node 0. - starts 20 mm inside .*'floor'"
+    ):
+        build(scene)
+
+
+def test_a_plate_is_as_thin_as_it_is_long() -> None:
+    """Of 4 mm and 0.7 m across: it went by 150 mm in a step, as nothing but its radius was asked."""
+    plate = Cylinder(
+        name="plate", start=(0, 0, -0.3), end=(0, 0, -0.296), radius=0.35,
+        motion={"kind": "velocity", "velocity": (0, 0, 3.0)},
+    )  # fmt: skip
+    text = (ROPE % ("0.3", "0.3")).replace("time_step = 0.004", "time_step = %s")
+    quick = loads(text % "0.05").replace(obstacles=[plate])
+    with pytest.raises(
+        rw.SceneError, match=r"more than the half length of 'plate' \(7 mm, .* 0.0023 s"
+    ):
+        build(quick)
+    assert build(loads(text % '"auto"').replace(obstacles=[plate])).plan.dt < 0.0023
+    held = loads((text % "0.004").replace("segments = 20", "segments = 4"))
+    still = held.replace(
+        anchors=[rw.Anchor(node=0), rw.Anchor(node=-1)],
+        obstacles=[plate.replace(motion={"kind": "fixed"})],
+    )
+    (said,) = [one for one in rw.check(still, measure=False).warnings if "only nodes touch" in one]
+    assert "longer than twice its half length (7 mm" in said

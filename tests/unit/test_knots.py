@@ -290,6 +290,13 @@ def test_every_knot_starts_without_tension_or_overlap(name: str) -> None:
         assert np.linalg.norm(away, axis=1).min() > 2.5 * D
 
 
+@pytest.mark.parametrize("size", [1.0, 15.0, 30.0])
+def test_a_clove_hitch_is_clear_of_its_post(size: float) -> None:
+    """About thick posts the way to the crossing strand was a chord, 3.3 mm inside one of 15 diameters."""
+    shape = Knot(knot="clove-hitch", post_radius=size * D)
+    build(Scene(ropes=[rope_of(shape)], obstacles=[shape.post()]))
+
+
 def test_a_ring_lies_where_the_munter_is_tied() -> None:
     shape = Knot(
         knot="munter", post_radius=0.02, ring_radius=0.1, center=(0, 0, 1), normal=(0, 1, 0)

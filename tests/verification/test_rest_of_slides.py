@@ -193,7 +193,7 @@ def test_between_which_places_friction_holds_it(friction: float) -> None:
 
 
 def test_where_nothing_says_between_which_places() -> None:
-    """Without friction, and where something else holds the line."""
+    """Without friction or weight, and where something else holds the line."""
     scene = trolley(5.0, 0.0)
     _, found = slope(scene)
     ropes = {"line": found.positions[:21], "rider": found.positions[21:]}
@@ -203,6 +203,11 @@ def test_where_nothing_says_between_which_places() -> None:
     seat = slope(scene)[1].seats[0]
     more = scene.replace(anchors=[*scene.anchors, rw.Anchor(rope="line", node=7)])
     assert held_places(build(more).scene, ropes, seat) is None
+    with np.errstate(
+        all="raise"
+    ):  # without weight nothing is level: numpy warned of a division by zero
+        weightless = build(scene.replace(gravity=(0, 0, 0))).scene
+        assert held_places(weightless, ropes, seat) is None
     for rope, node in (
         ("line", 10),
         ("rider", -1),

@@ -326,6 +326,31 @@ def test_a_check_says_where_it_lies_and_what_it_could_carry() -> None:
     assert found["largest_tension"] is None
 
 
+PLATE = Cylinder(name="thin", start=(0, 0, -0.002), end=(0, 0, 0.002), radius=0.35)
+PLANK = Box(name="thin", center=(0, 0, 0), half_sizes=(0.3, 0.1, 0.01), edge_radius=0.005)
+
+
+@pytest.mark.parametrize("body", [PLATE, PLANK], ids=["plate", "plank"])
+def test_a_segment_that_lies_through_a_thin_body_is_no_rest(body: Obstacle) -> None:
+    """A rope laid over it from ends beside it: its middle hung below the plate, its sides went through.
+
+    Every run from such a rest was as wrong: only what comes to lie through a body is stopped there.
+    """
+    ends = [(x, 0.0, z) for x, z in ((-0.4, 0.05), (-0.4, 0.3), (0.4, 0.3), (0.4, 0.05))]
+    rope = Rope(
+        segments=14,
+        length=1.3,
+        diameter=0.01,
+        made_of=Material(EA=1e4, mass_per_length=0.1),
+        shape={"kind": "polyline", "points": ends},
+    )
+    scene = Scene(ropes=[rope], anchors=[Anchor(node=0), Anchor(node=-1)], obstacles=[body])
+    words = r"segment \d+ of rope 'rope' comes to lie through 'thin' .*; take more segments"
+    with pytest.raises(NoRest, match=words):
+        static_shape(scene)
+    assert not static_shape(scene, strict=False).solved
+
+
 def test_modes_hold_what_sticks_and_free_what_slips() -> None:
     """A span of 1 m between two bars under 50 N rings with sqrt(T / m) / (2 L), where the bars hold it."""
 

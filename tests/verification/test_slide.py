@@ -270,7 +270,8 @@ def test_the_table_of_a_run_says_where_it_slid_and_what_it_carried() -> None:
     assert table["farthest place of a slide at"].endswith(
         f"in the end 'slide0' {found.place[-1]:.5g} m along"
     )
-    assert "of the recorded frames" in table["largest load of a slide on its rope at"]
+    where = table["largest load of a slide on its rope at"]
+    assert "of the recorded frames; at an end of the line the stop's force is in it" in where
     # Over the ride what the line carries across is its weight's share, and the tail's.
     assert np.median(found.load) == pytest.approx(2.025 * g * math.cos(0.2), rel=0.1)
     heavy = rw.simulate(scene(tail=8.0))  # 4 kg in the tail: their middle is a quarter metre below

@@ -11,7 +11,7 @@ from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
 from ropewalk.lowering.obstacle_checks import turned_rate
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene.obstacles import thinnest
+from ropewalk.scene.obstacles import thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
 
@@ -33,16 +33,20 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     # Implicit methods solve a step that would go through again in halves: they need no word.
     whole = not METHODS[model.plan.method].implicit
     for row, body in enumerate(scene.obstacles):
-        name, radius = f"obstacle {body.name!r}", thinnest(body) + thick
+        name, radius, measure = (
+            f"obstacle {body.name!r}",
+            thinnest(body) + thick,
+            what_is_thin(body),
+        )
         if longest > 2.0 * radius:
             found.append(
-                f"{name}: segments of {1e3 * longest:.4g} mm are longer than twice its radius "
+                f"{name}: segments of {1e3 * longest:.4g} mm are longer than twice its {measure} "
                 f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, and a run "
                 "in which it would slip through between two of them ends there; take more segments"
             )
         if whole and way > radius:
             found.append(
-                f"{name}: a node may move {1e3 * way:.4g} mm in a step, more than its radius "
+                f"{name}: a node may move {1e3 * way:.4g} mm in a step, more than its {measure} "
                 f"({1e3 * radius:.4g} mm): a run in which one goes through ends there; take steps of at "
                 f"most {1e3 * step * radius / way:.3g} ms"
             )

@@ -56,7 +56,8 @@ def clove(rho: float, gap: float) -> Floats:
     over = _over(rho)
     full = 2.0 * math.pi
     first = np.array([-over - _UNDER, 0.0, over])
-    back = np.arange(over + 0.3, full - 1.9 * over, _STEP)
+    low, high = over + 0.3, full - 1.9 * over
+    back = np.linspace(low, high, max(2, math.ceil((high - low) / _STEP)) + 1)
     share = (back - over) / (full - 2.9 * over)
     fall = share * share * (3.0 - 2.0 * share)
     cross = np.linspace(-1.0, 1.0, 7)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +17,8 @@ from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
-from ropewalk.scene.obstacles import Obstacle, is_free, thinnest
+from ropewalk.scene.joint import tied_ropes
+from ropewalk.scene.obstacles import Obstacle, is_free, thinnest, what_is_thin
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi
@@ -105,9 +108,10 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
         radius = radius_with_rope(system, body)
         if speed * step > radius:
             rule = (
-                f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the radius of "
-                f"{body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter counted in): it would jump "
-                f"over nodes; take a run.time_step of at most {radius / speed:.2g} s"
+                f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the "
+                f"{what_is_thin(body)} of {body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter "
+                f"counted in): it would jump over nodes; take a run.time_step of at most "
+                f"{radius / speed:.2g} s"
             )
             which = "motion" if moves(system.node.obstacle, row) else "spin"
             faults.append(Fault(f"obstacle[{row}].{which}", f"up to {speed:.4g} m/s", rule))
@@ -127,7 +131,7 @@ def _buried(scene: Scene, system: System, state: State, layout: Layout) -> list[
     """Return a fault for every rope that starts deeper in an obstacle than it could press itself."""
     table: Obstacles = system.node.obstacle
     deep = depths(table, state.x)
-    allowed = squeeze(table, system, state)
+    allowed = squeeze(scene, system, state, layout)
     deep[:, state.inverse_mass == 0.0] = (
         0.0  # an anchor may stand anywhere, with what is tied to it
     )
@@ -149,34 +153,52 @@ def _buried(scene: Scene, system: System, state: State, layout: Layout) -> list[
 
 def _speared(scene: Scene, system: System, state: State, layout: Layout) -> list[Fault]:
     """Return a fault for every rope that is drawn with an obstacle between two of its nodes."""
-    table: Obstacles = system.node.obstacle
-    faults = []
+    return [
+        Fault(
+            f"rope[{number}].shape",
+            f"segment {segment}",
+            f"goes through obstacle {scene.obstacles[row].name!r} between its two nodes, where nothing holds "
+            "it; move the rope or the obstacle, or draw the rope round it with more segments",
+        )
+        for number, segment, row in through(system.node.obstacle, state.x, layout)
+    ]
+
+
+def through(table: Obstacles, x: Floats, layout: Layout) -> Iterator[tuple[int, int, int]]:
+    """Yield ropes at places (3, n) [m] that obstacles lie across: rope, its first such segment, obstacle."""
     for number, span in enumerate(layout.ropes):
-        ends = state.x[:, span.start : span.end + 1].T
+        ends = x[:, span.start : span.end + 1].T
         size = np.linalg.norm(np.diff(ends, axis=0), axis=1)
-        for row, body in enumerate(scene.obstacles):
+        for row in range(len(table.kind)):
             places = drawn_places(table, row, ends)
             long = size > LONG * (table.thin[row] + table.thickness[span.start])
             across = (
-                k
+                int(k)
                 for k in np.flatnonzero(long)
                 if lies_across(table, row, span.start + k, tuple(places[k]), tuple(places[k + 1]))
             )
             if (first := next(across, None)) is not None:
-                rule = (
-                    f"goes through obstacle {body.name!r} between its two nodes, where nothing holds it; "
-                    "move the rope or the obstacle, or draw the rope round it with more segments"
-                )
-                faults.append(Fault(f"rope[{number}].shape", f"segment {first}", rule))
+                yield number, first, row
                 break
-    return faults
 
 
-def squeeze(table: Obstacles, system: System, state: State) -> Floats:
-    """Return how deep nodes can be pressed in by all weight and the tensions at the start [m], (k, n)."""
-    weight = float(np.linalg.norm(system.gravity) * state.mass.sum())
+def squeeze(scene: Scene, system: System, state: State, layout: Layout) -> Floats:
+    """Return how deep nodes can be pressed in by weight and the tensions at the start [m], (k, n).
+
+    By those of their rope and of all that joints tie to it; of all ropes where some slide or ropes touch.
+    """
+    table: Obstacles = system.node.obstacle
     size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
     gives = np.isfinite(state.stiffness)
     pull = np.where(gives, state.stiffness, 0.0) * np.maximum(size - state.rest_length, 0.0)
-    found: Floats = depth_under(table, weight + 2.0 * float(pull.max(initial=0.0)))
-    return np.maximum(found, DRAWN * table.diameter) + 1e-9
+    gravity = float(np.linalg.norm(system.gravity))
+    force: Any = np.zeros(state.mass.size)  # of each node
+    together = scene.contact is not None or len(scene.slides) > 0
+    numbers = range(len(scene.ropes))
+    for group in [list(numbers)] if together else tied_ropes(scene.ropes, scene.joints):
+        spans = [layout.ropes[k] for k in group]
+        weight = sum(float(state.mass[s.first : s.last + 1].sum()) for s in spans) * gravity
+        most = max(float(pull[s.first : s.last].max(initial=0.0)) for s in spans)
+        for s in spans:
+            force[s.first : s.last + 1] = weight + 2.0 * most
+    return np.maximum(depth_under(table, force), DRAWN * table.diameter) + 1e-9

@@ -29,7 +29,9 @@ class SlideMotion(NamedTuple):
 
     place: Floats  # (frames,) unstretched rope from the line's start [m], NaN once it has run off
     speed: Floats  # (frames,) of the node [m/s]
-    load: Floats  # (frames,) that it presses on the line with, across it [N]; 0 once it has run off
+    # (frames,) that it presses on the line with, across it, at an end of the line with the stop's force [N];
+    # 0 once it has run off
+    load: Floats
     carried: (
         Floats  # (frames,) speed of the centre of mass of the node's rope, with its loads [m/s]
     )
@@ -126,6 +128,9 @@ def _slide_rows(result: Result) -> dict[str, Any]:
     rows: dict[str, Any] = {}
     for name, title in titles.items():
         rows |= {title: best[name][0], f"{title.partition(' [')[0]} at": best[name][1]}
+    rows["largest load of a slide on its rope at"] += (
+        "; at an end of the line the stop's force is in it"
+    )
     rows["farthest place of a slide at"] += f"; in the end {', '.join(last[:4])}"
     return rows
 

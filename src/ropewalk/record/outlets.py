@@ -93,10 +93,10 @@ class Outlets:
                 (their forces on the ropes [N]), "pulleys" (angle [rad], speed [rad/s], energy and works [J],
                 torque [N m] of obstacles that turn freely), "contacts" (a row for every node on an obstacle
                 at each frame: forces [N], slip speed [m/s], whether it sticks or slips), "rope_contacts" (the
-                same for every two segments of ropes that press on each other), "wraps" (a row for every rope
-                on an obstacle at each frame: angle [rad], tensions before and after [N], their ratio),
-                "slides" (a row for every slide at each frame: place [m], speed [m/s], load [N]) or "run" (a
-                row per frame: energies and works [J], momenta).
+                same for every two segments of ropes that press on each other), "wraps" (a row for every
+                stretch of a rope on an obstacle at each frame: angle [rad], tensions before and after [N],
+                their ratio), "slides" (a row for every slide at each frame: place [m], speed [m/s], load [N])
+                or "run" (a row per frame: energies and works [J], momenta).
             nodes: only these nodes of every rope (negative: from its end), and the segments next to them.
             times: only the frames nearest to these times [s].
             every: only every so many frames. Greatest and least are of all steps since the row before, those

@@ -58,9 +58,9 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
 
     nodes: positions and velocities; segments: tensions and unstretched length; anchors: reactions
     and moments; joints: their forces on each rope; pulleys: how they turn, and works; contacts: a row for
-    each node on each obstacle; rope_contacts: one for each contact of two ropes; wraps: one for each rope on
-    each obstacle; slides: one for each slide; run: energies, works, momentum, one row per frame in either
-    layout.
+    each node on each obstacle; rope_contacts: one for each contact of two ropes; wraps: one for each stretch
+    of a rope on an obstacle; slides: one for each slide; run: energies, works, momentum, one row
+    per frame in either layout.
     """
     ropes, numbers = _node_labels(result)
     at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]

@@ -38,12 +38,12 @@ def held_places(scene: Scene, ropes: dict[str, Floats], seat: Seat) -> tuple[flo
         ropes: by name, the places of its nodes there (n, 3) [m].
         seat: where the slide is, and what it does there.
 
-    None where the closed form does not say it: without friction and brake, or where anything but weight and
-    two anchors at its ends holds the rope.
+    None where the closed form does not say it: without friction and brake, without weight, or where
+    anything but weight and two anchors at its ends holds the rope.
     """
     slide = next(one for one in scene.slides if one.name == seat.slide)
     rope = scene.rope_named(seat.on)
-    if seat.most <= 0.0 or not _plain(scene, rope, slide):
+    if seat.most <= 0.0 or not any(scene.gravity) or not _plain(scene, rope, slide):
         return None
     load, gravity = math.hypot(seat.force, seat.along), float(np.linalg.norm(scene.gravity))
     line = _line(rope, ropes[rope.name], np.array(scene.gravity) / gravity, gravity)

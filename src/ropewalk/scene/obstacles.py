@@ -171,9 +171,16 @@ def name_of(body: Obstacle, row: int) -> str:
     return body.name or f"obstacle{row}"
 
 
+def what_is_thin(body: Obstacle) -> str:
+    """Return what `thinnest` measures of a body."""
+    return "half length" if body.kind == "cylinder" and thinnest(body) < body.radius else "radius"
+
+
 def thinnest(body: Obstacle) -> float:
-    """Return the least radius of a body [m]: inf for a plane, 0 for sharp edges."""
+    """Return the least radius, or half length, of a body [m]: inf for a plane, 0 for sharp edges."""
     match body.kind:
+        case "cylinder" if not body.endless:
+            return min(body.radius, 0.5 * math.dist(body.start, body.end))
         case "plane":
             return math.inf
         case "box":

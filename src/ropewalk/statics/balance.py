@@ -83,6 +83,7 @@ class Balance:
         self.slid = 0.0  # [m] how far they went and were not at rest yet
         self.patient = True  # whether they had the time of settling for it
         self.pressed: Any = None  # what its tension presses too deep, see `pressing`
+        self.speared = ""  # which segment lies through an obstacle, in words
         self.number = points(model)  # (n,), where joints tie nodes
         self._set_scales()
 

@@ -1,4 +1,4 @@
-"""How deep the tension of ropes presses them into obstacles: or even through them."""
+"""How deep the tension of ropes presses them into obstacles, and which lie through them at rest."""
 
 from __future__ import annotations
 
@@ -11,8 +11,10 @@ from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact import push_on
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.lowering import Model
+from ropewalk.lowering.obstacle_checks import through
 from ropewalk.scene.obstacles import thinnest
 from ropewalk.statics.balance import Balance
+from ropewalk.statics.standing import standing_obstacles
 
 _TINY = 1e-300
 _SHALLOW = 0.5  # of a rope's radius: contacts at rest that are pressed in deeper are wrong [1]
@@ -94,6 +96,22 @@ class Watch:
         push = max(push_on(self.table, o, i, gap, 0.0), self.push)
         enough = allowed_depth(float(self.body[o]), float(self.table.thickness[i])) / push
         return Pressed(i, o, depth, enough, through)
+
+
+def speared_words(model: Model, balance: Balance, x: Floats) -> str:
+    """Say which segment lies through an obstacle in places (3, n) [m]: nothing holds it there. Or ""."""
+    table = model.system.node.obstacle
+    if not len(table.kind):
+        return ""
+    table = standing_obstacles(table, balance.state.memory.obstacle)
+    number, segment, row = next(through(table, x, model.layout), (-1, -1, -1))
+    if number < 0:
+        return ""
+    rope, body = model.layout.ropes[number].name, model.scene.obstacles[row].name
+    return (
+        f"no shape of rest was found: segment {segment} of rope {rope!r} comes to lie through {body!r} "
+        "between its two nodes, where nothing holds it; take more segments"
+    )
 
 
 def allowed_depth(body: float, thick: float) -> float:

@@ -23,7 +23,7 @@ from ropewalk.statics.balanced import tipping, turned_to_rest
 from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
-from ropewalk.statics.pressing import Watch
+from ropewalk.statics.pressing import Watch, speared_words
 from ropewalk.statics.pulleys import Pulley, pulleys
 from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
@@ -211,7 +211,10 @@ def _find_by_creeping(model: Model, balance: Balance, *, patient: bool) -> Found
     crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED, watch.see)
     balance.goes_on, balance.slid = crept.goes_on, crept.slid
     balance.pressed = watch.at_last(crept.found.x)
-    return crept.found if balance.pressed is None else crept.found._replace(error=np.inf)
+    if crept.found.at_rest and balance.pressed is None:
+        balance.speared = speared_words(model, balance, crept.found.x)
+    wrong = balance.pressed is not None or balance.speared
+    return crept.found._replace(error=np.inf) if wrong else crept.found
 
 
 def _tied_start(model: Model, x: Floats) -> Floats:
@@ -367,6 +370,8 @@ def _complaint(model: Model, balance: Balance, found: Found) -> str:
     if model.scene.obstacles or balance.coupled.acts:
         if balance.pressed is not None:
             return str(balance.pressed.words(model))
+        if balance.speared:
+            return balance.speared
         lie, _ = _lie(model, balance, found.x, found.tension)
         if balance.goes_on:
             return going_on_words(lie) if model.scene.obstacles else _GOES_ON
