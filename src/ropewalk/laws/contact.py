@@ -7,7 +7,8 @@ friction spring's force then, P = I - n n^T and R the force of a squeeze, see `h
     R_t = q            where |q| <= mu R_n                it sticks
           mu R_n q/|q| elsewhere                          it slips
 What is kept to the next step is the spring's part, P (R' - k_t D), cut to mu R_n. A contact that sticks does
-not creep: its memory is a force. A body that moves is looked at in its own frame, at the time of the forces.
+not creep: its memory is a force. A node that an anchor or a drum holds is pushed by nothing: it is where it
+is held, see `held_nodes`. A body that moves is looked at in its own frame, at the time of the forces.
 k_t is R over the depth at the last step, k of what is not pressed far. With c = 2 sqrt(k m) a node that hits
 a surface on its own stays there.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
@@ -51,7 +52,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     one obstacle after another, what presses and what rubs, 3 rows each.
     """
     first, last = max(lo, 0), min(hi, x.shape[1])  # with no index below 0 loops vectorise
-    place, apart = memory.place, force.shape[0] > 3
+    place, held, apart = memory.place, memory.held, force.shape[0] > 3
     find_rates(x, v, obstacles, memory, now)
     for row in range(force.shape[0]):
         for i in range(first, last):
@@ -66,6 +67,8 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         if is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, first, last):
             continue
         for i in range(first, last):
+            if held[i] != 0:
+                continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
@@ -104,7 +107,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     Return how many contacts have closed. What surfaces that move give to nodes in the step is added up, too,
     their force at its end times their way.
     """
-    n, place, closed = x.shape[1], memory.place, 0.0
+    n, place, held, closed = x.shape[1], memory.place, memory.held, 0.0
     dt = now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
@@ -125,6 +128,8 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             normal, a, rise = (nx, ny, nz), (ax, ay, az), nx * vx + ny * vy + nz * vz
             rise = closing(rise, -depth, normal, a, ca, cb, (vx, vy, vz))[0]
             push = pressed - c * rise
+            if held[i] != 0:
+                push, stored = 0.0, 0.0
             if push > 0.0 and grip[PUSH, i] == 0.0:
                 closed += 1.0
             grip[PUSH, i] = max(push, 0.0)
@@ -260,6 +265,8 @@ def contact_energy(x, obstacles, memory, now):
         mx, my, mz, _, _, _, angle, _ = surface_now(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         for i in range(x.shape[1]):
+            if memory.held[i] != 0:
+                continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             depth = obstacles.thickness[i] - probe_turned(body, pose, px, py, pz)[0]
             total += squeezed(obstacles, o, i, depth)[2]

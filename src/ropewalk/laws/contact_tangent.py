@@ -42,6 +42,8 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
         tied = obstacles.wheel[o] >= 0
         whole = tied and obstacles.sweeps[o]  # what presses turns it, too
         for i in range(x.shape[1]):
+            if memory.held[i] != 0:
+                continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]

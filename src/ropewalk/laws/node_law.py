@@ -82,7 +82,8 @@ class NodeLaw(NamedTuple):
     )
 
     # A law with a memory. It is part of the state, and so of snapshots, islands and checkpoints.
-    # (table, x, stiffness of the segments): at the start, a named tuple of arrays; the last axis counts nodes
+    # (table, x, stiffness of the segments, held): at the start, a named tuple of arrays, the last axis counts
+    # nodes; `held` (n,) is 1 where an anchor or a drum holds a node
     memory: Callable[..., Any] | None = None
     remember: Any = (
         None  # part (table, state): write it, where a step was accepted; return what it hit

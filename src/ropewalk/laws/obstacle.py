@@ -32,6 +32,7 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
 from ropewalk.laws.contact_frame import DAMP, GRIPS, STIFF
 from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.held_nodes import follow_held
 from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle_places import depths
 from ropewalk.laws.obstacle_rows import (
@@ -121,6 +122,7 @@ class Memory(NamedTuple):
     # (n,) which obstacle a node would have gone through in a step, from 1 on; from -1 down the segment after
     through: Ints
     fault: Ints  # (n,) the same of a step that was taken
+    held: Ints  # (n,) 1: something holds the node, no obstacle touches it; see `held_nodes`
 
 
 def lower(
@@ -246,8 +248,8 @@ def acts(obstacles: Obstacles) -> bool:
     return len(obstacles.kind) > 0
 
 
-def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
-    """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
+def memory(obstacles: Obstacles, x: Floats, stiffness: Floats, held: Ints) -> Memory:
+    """Return what is remembered at the start, for nodes at places (3, n) [m]: no force; `held` as there."""
     count, n, wheels = len(obstacles.kind), x.shape[1], len(obstacles.inertia)
     passes = np.zeros((2, n if count else 0), np.int64)
     own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n)), passes[0], passes[1].copy()
@@ -255,8 +257,8 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats) -> Memory:
     grip[:, STIFF], grip[:, DAMP] = obstacles.stiffness, obstacles.damping
     if count == 0:
         none = np.zeros((3, 0))
-        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own)
-    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own)
+        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own, passes[0].copy())
+    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own, held.copy())
     found.wheel[:, RATE] = obstacles.rate
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
     return found
@@ -287,7 +289,14 @@ def remember(obstacles, state):
     place, fault = memory.place, memory.fault
     find_pass(place, state.x, inert, obstacles, memory.grip, memory.wheel, fault, now)
     find_sweep(place, state.x, inert, state.stiffness, obstacles, memory.wheel, fault, now)
+    follow_held(state.x, obstacles, memory, inert, now)
     return remember_contacts(state.x, state.v, obstacles, memory, now, state.stiffness)
+
+
+@part
+def wound(obstacles, state, winches):
+    """Let go what drums hold from now on, and touch what has come off."""
+    follow_held(state.x, obstacles, state.memory.obstacle, state.inverse_mass, state.now)
 
 
 @part
@@ -386,4 +395,5 @@ OBSTACLE = NodeLaw(
     cases=cases,
     meet=meet,
     fault=gone,
+    wound=wound,
 )

@@ -57,7 +57,7 @@ def acts(table: Parting) -> bool:
     return table.strength.size > 0
 
 
-def memory(table: Parting, x: Floats, stiffness: Floats) -> Parted:
+def memory(table: Parting, x: Floats, stiffness: Floats, _held: Ints) -> Parted:
     """Return that nothing has parted."""
     n = table.strength.size
     return Parted(np.full(n, math.inf), np.zeros(n))

@@ -76,6 +76,8 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
     body, pose = body_of(obstacles, o), pose_of(obstacles, o, wheel[ANGLE] + angle)
     sweep = rates_of(obstacles, o, rate)[1]
     for i in range(x.shape[1]):
+        if memory.held[i] != 0:
+            continue
         px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
         g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
         depth = obstacles.thickness[i] - g

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part
 from ropewalk.laws.node_law import NodeLaw, Rest
 from ropewalk.laws.stretch import stretched
@@ -165,7 +165,7 @@ def _energy(law: SegmentLaw) -> Any:
 def _memory(law: SegmentLaw) -> Any:
     begin = law.memory
 
-    def memory(table: Any, x: Floats, stiffness: Floats) -> Any:
+    def memory(table: Any, x: Floats, _stiffness: Floats, _held: Ints) -> Any:
         lengths = np.sqrt((np.diff(x, axis=1) ** 2).sum(axis=0))
         return begin(table, lengths) if begin is not None else None
 

@@ -122,7 +122,7 @@ def _list_nodes(x, v, obstacles, memory, o, t):
         rise = closing(rise, -depth, n, a, ca, cb, (vx, vy, vz))[0]
         push = squeezed(obstacles, o, i, depth)[0]
         bound = grip[GRIP, i] * (push - grip[DAMP, i] * rise)
-        if bound > 0.0:
+        if bound > 0.0 and memory.held[i] == 0:
             ties[NODE, count], ties[BOUND, count] = i, bound
             ties[NORMAL, count], ties[NORMAL + 1, count], ties[NORMAL + 2, count] = nx, ny, nz
             count += 1

@@ -197,6 +197,7 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if len(made.scene.obstacles) == len(old.scene.obstacles) > 0:
         grip = old.arrays.memory.obstacle.grip
         state.memory.obstacle.grip[:, :, whole] = grip[:, :, nodes]
+        state.memory.obstacle.held[...] = state.inverse_mass == 0.0
         if np.array_equal(old.system.node.obstacle.wheel, made.system.node.obstacle.wheel):
             state.memory.obstacle.wheel[...] = old.arrays.memory.obstacle.wheel
         _fit_contacts(old, made, state, whole, nodes)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
@@ -172,7 +172,7 @@ def acts(table: Pairs) -> bool:
     return len(table.radius) > 0
 
 
-def memory(table: Pairs, x: Floats, stiffness: Floats) -> Memory:
+def memory(table: Pairs, x: Floats, stiffness: Floats, _held: Ints | None = None) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
     s = len(table.rope)
     rows = max(ROWS * s, LEAST_ROWS) if s else 0

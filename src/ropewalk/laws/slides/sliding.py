@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
@@ -142,7 +142,7 @@ def acts(table: Slides) -> bool:
     return len(table.node) > 0
 
 
-def memory(table: Slides, x: Floats, stiffness: Floats) -> Memory:
+def memory(table: Slides, x: Floats, stiffness: Floats, _held: Ints | None = None) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no friction."""
     k = len(table.node)
     grip, ends = np.zeros((k, 2)), np.zeros((k, ENDS), np.int64)

@@ -1,0 +1,194 @@
+"""What an anchor or a drum holds is where it is held: no obstacle pushes on it, whatever it stands in.
+
+A stake at the height of a floor, a rope tied to a post: their middle is half a diameter inside the body. Its
+push, EA / segment times that, went into the anchor's reaction and all that is made from it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.analysis.check import check
+from ropewalk.laws.contact_books import ENTRIES
+from ropewalk.laws.hardening import squeezed
+from ropewalk.methods.verdict import energy_now
+from ropewalk.record.moving_rows import axle_loads
+from ropewalk.scene import (
+    Anchor,
+    Cylinder,
+    Load,
+    Material,
+    Plane,
+    Rope,
+    RunSettings,
+    Scene,
+    Spin,
+    Straight,
+    Velocity,
+    Winch,
+)
+from ropewalk.simulation import Simulation
+
+g, D, RADIUS = 9.81, 0.01, 0.05
+FLOOR = Plane(name="floor")
+
+
+def stake(*bodies: Any, EA: float = 1e4, anchors: Any = None, **run: Any) -> Scene:
+    """A rope from a stake at the height of a floor up to a hook, a little slack."""
+    rope = Rope(
+        segments=6,
+        length=1.0,
+        diameter=D,
+        made_of=Material(EA=EA, mass_per_length=0.1, axial_damping=1.0),
+        shape=Straight(start=(0, 0, 0), end=(0.8, 0, 0.55)),
+    )
+    settings = {"duration": 0.5, "frame_rate": 60.0, "time_step": 0.005, "method": "esdirk3"} | run
+    return Scene(
+        ropes=[rope],
+        anchors=anchors or [Anchor(node=0), Anchor(node=-1)],
+        obstacles=bodies,
+        run=RunSettings(**settings),
+    )
+
+
+@pytest.mark.parametrize(
+    ("method", "step"), [("verlet", 1e-4), ("implicit-euler", 5e-3), ("esdirk3", 5e-3)]
+)
+def test_a_stake_on_a_floor_bears_what_the_rope_pulls(method: str, step: float) -> None:
+    """300 N of the floor's were in its reaction, of a rope that pulls with 12."""
+    EA = 200.0 if method == "verlet" else 1e4
+    with_floor, alone = (
+        rw.simulate(stake(*bodies, EA=EA, method=method, time_step=step, duration=0.3))
+        for bodies in ([FLOOR], [])
+    )
+    assert np.abs(alone.reactions[:, 0]).max() > 1.0
+    np.testing.assert_allclose(with_floor.reactions, alone.reactions, rtol=1e-9, atol=1e-9)
+    assert not with_floor.contact_force.any()
+    assert not with_floor.to_pandas("contacts").size
+    for name, work in with_floor.contact_work["floor"].items():
+        assert not work.any(), name
+
+
+def test_a_stake_on_a_floor_comes_to_rest() -> None:
+    """It was refused, with a compliance to give that grew less with every one that was given."""
+    with_floor, alone = (rw.equilibrium(stake(*bodies)) for bodies in ([FLOOR], []))
+    np.testing.assert_allclose(with_floor.reactions, alone.reactions, rtol=1e-6, atol=1e-9)
+    np.testing.assert_allclose(with_floor.positions, alone.positions, atol=1e-6)
+    assert not with_floor.contact_force.any()
+    started = rw.simulate(stake(FLOOR, start="at-rest", duration=0.1))
+    np.testing.assert_allclose(started.reactions[-1], alone.reactions[0], atol=1e-5)
+    assert not [one for one in check(stake(FLOOR)).warnings if "pressed" in one]
+
+
+def test_what_nothing_holds_is_pushed_still() -> None:
+    """The same rope, its lower end free, lies on the floor with that, which bears what of it is there."""
+    floor = Plane(name="floor", point=(0, 0, -0.5 * D))
+    loose = rw.simulate(stake(floor, anchors=[Anchor(node=-1)], duration=1.5))
+    lies = loose.contact_force[-1, :, 2]
+    assert lies[0] == pytest.approx(0.5 * 0.1 * g / 6.0, rel=1e-3)  # half a segment
+    assert lies[1] == pytest.approx(0.1 * g / 6.0, rel=1e-3)
+    assert loose.positions[-1, 0, 2] == pytest.approx(0.0, abs=0.01 * D)
+    rest = rw.equilibrium(loose.scene)
+    borne = rest.contact_force[0, :, 2].sum() + rest.reactions[0, 0, 2]
+    assert borne == pytest.approx(0.1 * g, rel=1e-3)
+    assert rest.contact_force[0, 0, 2] == pytest.approx(lies[0], rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("method", "step"), [("verlet", 1e-5), ("implicit-euler", 1e-3), ("esdirk3", 1e-3)]
+)
+def test_a_stake_that_lets_go_in_a_floor(method: str, step: float) -> None:
+    """It begins to be pushed then. What the contact has stored is given by the body: no work, and no loss."""
+    anchors = [Anchor(node=0, release_time=0.1), Anchor(node=-1)]
+    scene = stake(FLOOR, anchors=anchors, EA=200.0, method=method, time_step=step, duration=0.3)
+    run = rw.simulate(scene)
+    assert run.facts.status == "finished"
+    assert not run.contact_force[:7].any()
+    assert run.positions[7, 0, 2] > 0.006
+    assert run.positions[-1, 0, 2] > 0.0049
+    assert np.abs(run.balance_residual).max() < 1e-9
+    books, table = run.contact_work["floor"], Simulation(scene).system.node.obstacle
+    assert set(books) == set(ENTRIES)
+    np.testing.assert_allclose(sum(books.values()), run.work["obstacle"], atol=1e-12)
+    stored = squeezed(table, 0, 0, 0.5 * D)[2]
+    np.testing.assert_allclose(books["motor"][7:], stored, rtol=0.01)  # it has begun to fall
+    assert (np.diff(books["normal"]) < 1e-9).all()
+    assert books["normal"][7] > -stored
+    assert (np.diff(books["friction"]) < 1e-9).all()
+
+
+def tied(spin: Spin | None = None, **more: Any) -> Scene:
+    """A kilogram on a rope that is tied to the side of a bar."""
+    rope = Rope(
+        segments=6,
+        length=0.6,
+        diameter=D,
+        made_of=Material(EA=1e4, mass_per_length=0.1, axial_damping=10.0),
+        shape=Straight(start=(RADIUS, 0, 0), end=(RADIUS, 0, -0.6)),
+        loads=[Load(node=-1, mass=1.0)],
+    )
+    bar = Cylinder(name="bar", start=(0, -1, 0), end=(0, 1, 0), radius=RADIUS, spin=spin)
+    settings = {"duration": 0.5, "frame_rate": 60.0, "time_step": 0.005, "method": "esdirk3"}
+    common = {"ropes": [rope], "anchors": [Anchor(node=0)], "obstacles": [bar]}
+    return Scene(**(common | {"run": RunSettings(**settings)} | more))
+
+
+def test_a_rope_tied_to_a_bar_pulls_with_its_load() -> None:
+    """300 N stood for the largest force of an anchor."""
+    run = rw.simulate(tied())
+    alone = rw.simulate(tied(obstacles=[]))
+    size = np.linalg.norm(run.reactions, axis=2)
+    assert 9.0 < size.max() < 22.0
+    np.testing.assert_allclose(run.reactions, alone.reactions, atol=1e-9)
+
+
+def test_a_bar_that_turns_freely_bears_what_lies_on_it_alone() -> None:
+    """Nothing does but what is held, which its anchor bears: 300 N stood for the load on its axle."""
+    run = rw.simulate(tied(Spin(free=True, inertia=1e-3, rate=3.0)))
+    assert axle_loads(run, range(run.frames)).max() < 1e-9
+    motion = run.pulley("bar")
+    np.testing.assert_allclose(motion.speed, 3.0, rtol=1e-12)  # nor is it braked
+
+
+@pytest.mark.parametrize("method", ["verlet", "implicit-euler", "esdirk3"])
+def test_rope_that_waits_on_a_drum_touches_nothing(method: str) -> None:
+    """Six nodes of 300 N were in the tables, and a wrap of them. What comes off begins to, and what goes on
+    ceases: no energy is made of that."""
+    for speed in (0.2, -0.2):
+        winch = Winch(end="start", speed=speed, on_drum=0.6)
+        scene = tied(winches=[winch])
+        step = 2e-5 if method == "verlet" else 5e-3
+        scene = scene.replace(run=scene.run.replace(method=method, time_step=step))
+        run, alone = rw.simulate(scene), rw.simulate(scene.replace(obstacles=[]))
+        table = run.to_pandas("contacts")
+        held = [span.spare_start for span in run.layout.ropes]
+        assert held[0] > 0
+        assert not (table["node"] < 0).any()
+        assert (table["normal force [N]"] < 30.0).all()
+        assert np.abs(run.reactions).max() < np.abs(alone.reactions).max() + 5.0
+        assert np.abs(run.balance_residual).max() < 1e-8
+        wraps = run.to_pandas("wraps")
+        assert not (wraps["first node"] < 0).any()
+
+
+@pytest.mark.parametrize("method", ["semi-implicit-euler", "implicit-euler", "esdirk3"])
+def test_an_anchor_that_moves_through_a_floor_gives_nothing_to_it(method: str) -> None:
+    """Its energy was that of a spring under the anchor: the anchor gave it, and had it back."""
+    down = Velocity(velocity=(0.0, 0.0, -0.1))
+    step = 1e-5 if method == "semi-implicit-euler" else 1e-3
+    scene = stake(
+        FLOOR, EA=200.0, method=method, time_step=step, duration=0.2,
+        anchors=[Anchor(node=0, motion=down), Anchor(node=-1)],
+    )  # fmt: skip
+    simulation, alone = Simulation(scene), Simulation(scene.replace(obstacles=[]))
+    for _ in range(10):
+        for one in (simulation, alone):
+            one.advance_frames(1)
+        energies = [energy_now(one.system, one.arrays) for one in (simulation, alone)]
+        assert energies[0] == pytest.approx(energies[1], rel=1e-9)
+    assert math.isclose(simulation.arrays.x[2, 0], -0.1 * simulation.time, rel_tol=1e-9)
