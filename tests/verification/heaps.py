@@ -204,11 +204,11 @@ def links_of(scene: Scene) -> Ints:
     return np.array(links)
 
 
-def run(kind: str, seed: int, bends: bool) -> Heap:
-    """Let a random heap fall, to rest."""
+def run(kind: str, seed: int, bends: bool, seconds: float = 7.0) -> Heap:
+    """Let a random heap fall, to rest; a tangle for so long [s]."""
     if kind == "pile":
         return watch(pile(seed, bends), Heap(kind, seed, bends))
-    return watch(tangle(seed, 1 + seed % 3, bends), Heap(kind, seed, bends), 7.0)
+    return watch(tangle(seed, 1 + seed % 3, bends), Heap(kind, seed, bends), seconds)
 
 
 def watch(scene: Scene, made: Heap, duration: float | None = None) -> Heap:
@@ -317,22 +317,24 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seeds", type=int, default=100, help="of piles, and of tangles")
     parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--tangles", action="store_true", help="no piles")
+    parser.add_argument("--seconds", type=float, default=7.0, help="of each tangle")
     parser.add_argument("--out", type=Path, default=Path("heaps.csv"))
     parser.add_argument("--feeds", action="store_true", help="only the table of piles in the docs")
     given = parser.parse_args()
     if given.feeds:
         feeds()
         return
-    heaps: list[Heap] = []
+    kinds, heaps = ("pile", "tangle")[given.tangles :], list[Heap]()
     with given.out.open("w", newline="") as file:
         lines = csv.DictWriter(file, [field.name for field in fields(Heap)])
         lines.writeheader()
         for seed in range(given.first, given.first + given.seeds):
-            for kind in ("pile", "tangle"):
-                heaps.append(run(kind, seed, seed % 2 == 1))
+            for kind in kinds:
+                heaps.append(run(kind, seed, seed % 2 == 1, given.seconds))
                 lines.writerow(asdict(heaps[-1]))
                 file.flush()
-    for kind in ("pile", "tangle"):
+    for kind in kinds:
         of = [heap for heap in heaps if heap.kind == kind]
         whole = [heap for heap in of if not heap.unsolved]
         print(
