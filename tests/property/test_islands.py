@@ -298,6 +298,15 @@ def bits(simulation: Simulation) -> bytes:
     return b"".join(part.tobytes() for part in (*flatten(state.state).values(), state.inner))
 
 
+def test_an_island_keeps_how_it_began() -> None:
+    """Breaks are explained from there."""
+    simulation = hung("rk4", 2)
+    begun = simulation.alone(0).model.state.x.copy()
+    simulation.advance_frames(2)
+    assert np.array_equal(simulation.alone(0).model.state.x, begun)
+    assert not np.array_equal(simulation.alone(0).positions.T, begun)
+
+
 def test_what_is_the_same_of_all_ropes_is_made_once() -> None:
     """Tables of the first rope are those of the second; anchors and flags each has for itself."""
     first, second, *_ = hung("sdirk2", 3)._engine.engines  # type: ignore[union-attr]

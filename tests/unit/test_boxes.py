@@ -75,6 +75,26 @@ def test_a_walk_that_gets_long_has_the_boxes_put_in_order_anew() -> None:
     assert tree[0, 1] < 1.2 * short
 
 
+@pytest.mark.parametrize("waiting", [20.0, 100.0])
+def test_rope_that_waits_on_a_drum_costs_next_to_nothing(waiting: float) -> None:
+    """All of it lies in one place, and none of it meets any other."""
+    from ropewalk.scene import Anchor, Contact, Material, Rope, Scene, Straight, Winch
+
+    rope = Rope(
+        segments=40,
+        length=4.0,
+        diameter=0.01,
+        made_of=Material(EA=1e4, mass_per_length=0.1),
+        shape=Straight(direction=(1, 0, 0)),
+    )
+    winch = Winch(rope="rope", end="start", speed=0.1, on_drum=waiting)
+    model = build(Scene(ropes=[rope], anchors=[Anchor(node=0)], winches=[winch], contact=Contact()))
+    state, memory = model.state, model.state.memory.contact
+    assert list_near(state.x, state.x, model.system.node.contact, memory, state.tied)
+    assert memory.box.shape[0] > 10.0 * waiting
+    assert memory.tree[0, 1] < 2.0 * memory.box.shape[0]  # nodes of the tree that were met
+
+
 @pytest.mark.parametrize("seed", [0, 2])
 def test_the_list_has_all_pairs_of_ropes_that_come_near(seed: int) -> None:
     """And no segments beside each other, and none that has parted, however far that reaches."""

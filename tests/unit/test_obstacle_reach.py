@@ -73,6 +73,32 @@ def test_what_is_out_of_reach_presses_nothing(name: str) -> None:
     assert skipped > 0.5 * far > 10
 
 
+@pytest.mark.parametrize("name", list(SHAPES))
+def test_so_it_is_of_what_moves_and_turns(name: str) -> None:
+    """By every node's velocity over the surface, as fast as that is; the twin: beside one that stands."""
+    rng, model = np.random.default_rng(1), rope_beside(SHAPES[name])
+    table, memory = model.system.node.obstacle, model.state.memory.obstacle
+    grip, skipped, wrong = memory.grip[0], 0, 0
+    for _ in range(1000):
+        middle = rng.uniform(-1.0, 1.0, 3) * 10.0 ** rng.uniform(-1.0, 1.5)
+        x = middle[:, None] + 10.0 ** rng.uniform(-3.0, 0.0) * rng.normal(size=(3, 9))
+        v = 10.0 ** rng.uniform(-2.0, 1.0) * rng.normal(size=(3, 9))
+        moved, speed, turning = 10.0 ** rng.uniform(-1.0, 3.0, (3, 1)) * rng.normal(size=(3, 3))
+        off = is_out_of_reach(x, v, table, grip, 0, (1.0, 0.0), moved, speed, turning, 0, 9)
+        arm = (x - moved[:, None]).T - table.hub[0]
+        over = v.T - speed - np.cross(turning, arm)
+        gaps = np.zeros((1, 9))
+        find_gaps(np.ascontiguousarray(x - moved[:, None]), table, 0.0, gaps)
+        room = table.stiffness[0] * (gaps - table.thickness)
+        skipped += off
+        assert not (off and (grip[DAMP] * np.linalg.norm(over, axis=1) - room).max() > 0.0)
+        still = np.zeros(3)
+        there = is_out_of_reach(x, v, table, grip, 0, (1.0, 0.0), moved, still, still, 0, 9)
+        wrong += there and (grip[DAMP] * np.linalg.norm(over, axis=1) - room).max() > 0.0
+    assert skipped > 30
+    assert wrong > 0
+
+
 def test_a_rope_whose_one_end_touches_is_looked_at() -> None:
     """However far its middle is."""
     model = rope_beside(Plane())

@@ -123,8 +123,8 @@ class Islands:
             state, _ = pooled(part.state, room)
             state = state._replace(peaks=on_shelf(state.peaks, self._shelf[seen:]))
             seen += size_of(state.peaks)
-            own = replace(part, state=state)  # once is enough
-            self.engines.append(Engine(own, controls, ledger=ledger, room=(state, room)))
+            # the model keeps the start: breaks are explained from there
+            self.engines.append(Engine(part, controls, ledger=ledger, room=(state, room)))
             self._rooms.append(slice(first, first + size))
             first += size
         states = [engine.state for engine in self.engines]

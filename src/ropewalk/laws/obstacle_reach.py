@@ -42,6 +42,8 @@ def is_out_of_reach(x, v, obstacles, grip, o, pose, moved, speed, turning, lo, h
         damped = max(damped, damping[i])
     far, fast = math.sqrt(far), math.sqrt(fast)
     size = abs(cx) + abs(cy) + abs(cz) + abs(px) + abs(py) + abs(pz) + far
+    center = obstacles.center[o]
+    size += abs(center[0]) + abs(center[1]) + abs(center[2])
     least = gap - far - thick - ROUNDED * size
     arm = abs(px - hub[0]) + abs(py - hub[1]) + abs(pz - hub[2]) + far
     fast += abs(speed[0]) + abs(speed[1]) + abs(speed[2])

@@ -1,8 +1,8 @@
 """Which boxes overlap: a tree of them, halved again and again where they lie farthest apart.
 
 Its nodes are numbered from 1, the halves of node k are 2 k and 2 k + 1, and all leaves lie equally deep. So
-which boxes a node has follows from its number, and the tree is walked without a stack. What it costs grows
-as n log n, however boxes lie and whatever their sizes.
+which boxes a node has follows from its number, and the tree is walked without a stack. Where each overlaps
+few others that costs n log n, whatever axis they lie along; pairs that overlap are visited one by one.
 Source: Ericson, Real-Time Collision Detection, 2005, ch. 6 (hierarchies of boxes, median cuts).
 """
 

@@ -47,7 +47,7 @@ def moved_from(origin, x):
 def box_in(x, y, table, memory):
     """Write the boxes in which segments move from x to y, (s, 6), wide enough that those near overlap.
 
-    What is no rope has that of a point, so that it makes no other wider.
+    What is no rope has one that holds nothing: it makes no other wider, and none meets it.
     """
     box = memory.box
     for j in range(box.shape[0]):
@@ -56,7 +56,7 @@ def box_in(x, y, table, memory):
             low = min(min(x[k, j], x[k, j + 1]), min(y[k, j], y[k, j + 1]))
             high = max(max(x[k, j], x[k, j + 1]), max(y[k, j], y[k, j + 1]))
             if memory.rope[j] < 0:
-                low, high, wide = x[k, j], x[k, j], 0.0
+                low, high, wide = NOWHERE, -NOWHERE, 0.0
             box[j, k], box[j, 3 + k] = low - wide, high + wide
 
 
