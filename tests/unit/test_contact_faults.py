@@ -167,10 +167,15 @@ def test_a_plate_is_as_thin_as_it_is_long() -> None:
     ):
         build(quick)
     assert build(loads(text % '"auto"').replace(obstacles=[plate])).plan.dt < 0.0023
-    held = loads((text % "0.004").replace("segments = 20", "segments = 4"))
-    still = held.replace(
+    aside = {"kind": "velocity", "velocity": (3.0, 0, 0)}  # in its own plane its radius counts
+    build(quick.replace(obstacles=[plate.replace(motion=aside)]))
+    held = loads((text % "0.004").replace("segments = 20", "segments = 4")).replace(
         anchors=[rw.Anchor(node=0), rw.Anchor(node=-1)],
         obstacles=[plate.replace(motion={"kind": "fixed"})],
     )
-    (said,) = [one for one in rw.check(still, measure=False).warnings if "only nodes touch" in one]
-    assert "longer than twice its half length (7 mm" in said
+    upright = Straight(start=(0.5, 0, 0.6), direction=(0, 0, -1))
+    for still, warned in ((held, 0), (held.replace(**{"rope.shape": upright}), 1)):
+        told = rw.check(still, measure=False).warnings
+        said = [one for one in told if "only nodes touch" in one]
+        assert len(said) == warned
+        assert all("longer than twice its half length (7 mm" in one for one in said)

@@ -122,6 +122,58 @@ def test_a_stake_that_lets_go_in_a_floor(method: str, step: float) -> None:
     assert (np.diff(books["friction"]) < 1e-9).all()
 
 
+@pytest.mark.parametrize("depth", [1e-4, 1e-3])
+def test_what_lets_go_on_a_belt_goes_along_with_it(depth: float) -> None:
+    """Nothing depends on how fast all of it moves: the belt's way before the release is no slip."""
+    runs = {}
+    for u in (0.0, 1.0):
+        along = Velocity(velocity=(u, 0, 0))
+        start = (0.0, 0.0, 0.5 * D - depth)
+        rope = Rope(
+            segments=6,
+            length=1.0,
+            diameter=D,
+            made_of=Material(EA=1e4, mass_per_length=0.1, axial_damping=1.0),
+            shape=Straight(start=start, end=(0.8, 0, 0.55), velocity=(u, 0, 0)),
+            loads=[Load(node=0, mass=0.5)],
+        )
+        runs[u] = rw.simulate(
+            Scene(
+                ropes=[rope],
+                anchors=[
+                    Anchor(node=0, motion=along, release_time=0.02),
+                    Anchor(node=-1, motion=along),
+                ],
+                obstacles=[Plane(name="floor", friction=0.5, motion=along)],
+                run=RunSettings(duration=0.05, frame_rate=200.0, time_step=0.005, method="esdirk3"),
+            )
+        )
+    still, moving = runs[0.0], runs[1.0]
+    over = moving.velocities - (1.0, 0.0, 0.0)
+    np.testing.assert_allclose(over, still.velocities, atol=1e-7)
+    rubbed = [run.contact_work["floor"]["friction"] for run in (still, moving)]
+    np.testing.assert_allclose(rubbed[1], rubbed[0], atol=1e-7)
+    assert (np.diff(rubbed[1]) < 1e-9).all()
+
+
+@pytest.mark.parametrize("height", [0.005, -0.005])
+def test_an_anchor_stands_on_either_side_of_a_bars_axis(height: float) -> None:
+    """The segment that comes out of the bar is held in it: that nothing holds it there was the refusal."""
+    rope = Rope(
+        segments=4,
+        length=0.6,
+        diameter=D,
+        made_of=Material(EA=1e4, mass_per_length=0.1, axial_damping=10.0),
+        shape=Straight(start=(0, 0, height), direction=(1, 0, 0)),
+        loads=[Load(node=-1, mass=0.1)],
+    )
+    bar = Cylinder(name="bar", start=(0, -1, 0), end=(0, 1, 0), radius=0.03)
+    run = RunSettings(duration=0.5, frame_rate=60.0, time_step=0.005, method="esdirk3")
+    scene = Scene(ropes=[rope], anchors=[Anchor(node=0)], obstacles=[bar], run=run)
+    assert rw.simulate(scene).status == "finished"
+    assert rw.equilibrium(scene).reactions[0, 0, 2] == pytest.approx(0.16 * g, rel=1e-6)
+
+
 def tied(spin: Spin | None = None, **more: Any) -> Scene:
     """A kilogram on a rope that is tied to the side of a bar."""
     rope = Rope(

@@ -11,12 +11,21 @@ from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
 from ropewalk.lowering.obstacle_checks import turned_rate
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene.obstacles import thinnest, what_is_thin
+from ropewalk.scene.obstacles import Cylinder, thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
+_ALONG = math.sqrt(0.5)  # cosine of 45 degrees
 _TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
+
+
+def _goes_along(model: Model, body: Cylinder) -> bool:
+    """Tell whether some segment is drawn rather along a cylinder's axis than across it."""
+    segments = np.diff(model.state.x, axis=1)[:, model.state.stiffness > 0.0]
+    axis = np.subtract(body.end, body.start)
+    sizes = np.linalg.norm(segments, axis=0) * np.linalg.norm(axis)
+    return bool((np.abs(axis @ segments) > _ALONG * sizes).any())
 
 
 def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
@@ -38,7 +47,8 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
             thinnest(body) + thick,
             what_is_thin(body),
         )
-        if longest > 2.0 * radius:
+        reached = measure == "radius" or not isinstance(body, Cylinder) or _goes_along(model, body)
+        if longest > 2.0 * radius and reached:
             found.append(
                 f"{name}: segments of {1e3 * longest:.4g} mm are longer than twice its {measure} "
                 f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, and a run "

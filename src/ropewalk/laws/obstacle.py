@@ -289,8 +289,9 @@ def remember(obstacles, state):
     place, fault = memory.place, memory.fault
     find_pass(place, state.x, inert, obstacles, memory.grip, memory.wheel, fault, now)
     find_sweep(place, state.x, inert, state.stiffness, obstacles, memory.wheel, fault, now)
-    follow_held(state.x, obstacles, memory, inert, now)
-    return remember_contacts(state.x, state.v, obstacles, memory, now, state.stiffness)
+    closed = remember_contacts(state.x, state.v, obstacles, memory, now, state.stiffness)
+    follow_held(state.x, obstacles, memory, inert, now)  # last: the body's way so far is no slip
+    return closed
 
 
 @part

@@ -144,6 +144,12 @@ def lies_across(obstacles, o, i, p, q):
 
 
 @kernel
+def leads_out(obstacles, o, inverse_mass, p):
+    """Tell whether a segment comes out of obstacle o, in which an anchor holds its end at place p."""
+    return inverse_mass == 0.0 and gap_at(obstacles, o, p) < 0.0
+
+
+@kernel
 def sweeps_across(obstacles, o, i, a, b, p, q):
     """Tell whether segment i comes to lie across obstacle o, its ends going from a to p and from b to q."""
     way = 0.0
@@ -192,6 +198,10 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, wheels, through, now):
                 continue
             a, b = place_in(body, then, x, i), place_in(body, then, x, i + 1)
             p, q = place_in(body, here, y, i), place_in(body, here, y, i + 1)
+            if leads_out(obstacles, o, inverse_mass[i], p) or leads_out(
+                obstacles, o, inverse_mass[i + 1], q
+            ):
+                continue
             if _may_reach(obstacles, o, i, a, b, p, q) and sweeps_across(
                 obstacles, o, i, a, b, p, q
             ):

@@ -12,16 +12,18 @@ from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.hardening import depth_under
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import depths, drawn_places, moves, sweeping_speed, turning_rate
-from ropewalk.laws.obstacle_way import LONG, lies_across
+from ropewalk.laws.obstacle_way import LONG, leads_out, lies_across
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.joint import tied_ropes
-from ropewalk.scene.obstacles import Obstacle, is_free, thinnest, what_is_thin
+from ropewalk.scene.motions import Fixed, Shake, Table, Velocity
+from ropewalk.scene.obstacles import Cylinder, Obstacle, is_free, thinnest, what_is_thin
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi
+_ALONG = 1e-9  # [1] of a way: what of it goes along an axis by rounding
 DRAWN = 0.012  # [1] depth over the diameter that a drawn shape may begin with: chords of an arc
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
@@ -73,8 +75,8 @@ def _sharp(scene: Scene, system: System) -> list[Fault]:
 def step_past_nodes(scene: Scene, system: System) -> float:
     """Return an automatic step in which no obstacle moves past nodes, or turns far [s]; inf: none moves."""
     found = (
-        0.9 * radius_with_rope(system, body) / speed
-        for body, speed in _speeds(scene, system)
+        0.9 * _in_the_way(system, row, body)[0] / speed
+        for row, (body, speed) in enumerate(_speeds(scene, system))
         if speed > 0.0
     )
     rates = (turned_rate(system, row, body) for row, body in enumerate(scene.obstacles))
@@ -101,15 +103,43 @@ def radius_with_rope(system: System, body: Obstacle) -> float:
     return thinnest(body) + float(system.node.obstacle.thickness.max(initial=0.0))
 
 
+def _in_the_way(system: System, row: int, body: Obstacle) -> tuple[float, str]:
+    """Return how thin a body is along its ways, half of the thickest rope counted in [m], and what that is.
+
+    A disc that moves in its own plane has its radius to go.
+    """
+    turned = system.node.obstacle.sweeps[row]
+    if isinstance(body, Cylinder) and not turned and _keeps_its_plane(body):
+        return body.radius + radius_with_rope(system, body) - thinnest(body), "radius"
+    return radius_with_rope(system, body), what_is_thin(body)
+
+
+def _keeps_its_plane(body: Cylinder) -> bool:
+    """Tell whether a cylinder moves across its axis alone."""
+    axis, motion = np.subtract(body.end, body.start), body.motion
+    ways: Any
+    match motion:
+        case Velocity():
+            ways = [motion.velocity]
+        case Shake():
+            ways = [motion.axis]
+        case Table():
+            ways = np.diff(motion.positions, axis=0)
+        case _:
+            return isinstance(motion, Fixed)
+    along = np.abs(np.asarray(ways) @ axis)
+    return bool((along <= _ALONG * np.linalg.norm(ways, axis=1) * np.linalg.norm(axis)).all())
+
+
 def refuse_fast(scene: Scene, system: System, step: float) -> None:
     """Raise SceneError for obstacles that move past nodes, or turn by more than half, within a step [s]."""
     faults = []
     for row, (body, speed) in enumerate(_speeds(scene, system)):
-        radius = radius_with_rope(system, body)
+        radius, measure = _in_the_way(system, row, body)
         if speed * step > radius:
             rule = (
                 f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the "
-                f"{what_is_thin(body)} of {body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter "
+                f"{measure} of {body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter "
                 f"counted in): it would jump over nodes; take a run.time_step of at most "
                 f"{radius / speed:.2g} s"
             )
@@ -160,32 +190,50 @@ def _speared(scene: Scene, system: System, state: State, layout: Layout) -> list
             f"goes through obstacle {scene.obstacles[row].name!r} between its two nodes, where nothing holds "
             "it; move the rope or the obstacle, or draw the rope round it with more segments",
         )
-        for number, segment, row in through(system.node.obstacle, state.x, layout)
+        for number, segment, row in through(
+            system.node.obstacle, state.x, state.inverse_mass, layout
+        )
     ]
 
 
-def through(table: Obstacles, x: Floats, layout: Layout) -> Iterator[tuple[int, int, int]]:
-    """Yield ropes at places (3, n) [m] that obstacles lie across: rope, its first such segment, obstacle."""
+def through(
+    table: Obstacles, x: Floats, inverse_mass: Floats, layout: Layout
+) -> Iterator[tuple[int, int, int]]:
+    """Yield ropes at places (3, n) [m] that obstacles lie across: rope, its first such segment, obstacle.
+
+    Not those that come out of a body in which an anchor holds them.
+    """
     for number, span in enumerate(layout.ropes):
         ends = x[:, span.start : span.end + 1].T
         size = np.linalg.norm(np.diff(ends, axis=0), axis=1)
         for row in range(len(table.kind)):
+            long = np.flatnonzero(size > LONG * (table.thin[row] + table.thickness[span.start]))
+            if not long.size:
+                continue
             places = drawn_places(table, row, ends)
-            long = size > LONG * (table.thin[row] + table.thickness[span.start])
             across = (
                 int(k)
-                for k in np.flatnonzero(long)
-                if lies_across(table, row, span.start + k, tuple(places[k]), tuple(places[k + 1]))
+                for k in long.tolist()
+                if _crosses(table, row, span.start + k, inverse_mass, places[k : k + 2])
             )
             if (first := next(across, None)) is not None:
                 yield number, first, row
                 break
 
 
+def _crosses(table: Obstacles, row: int, i: int, inverse_mass: Floats, places: Floats) -> bool:
+    """Tell whether segment i lies across an obstacle, its ends at two places (2, 3) [m] as that is drawn."""
+    a, b = tuple(places[0]), tuple(places[1])
+    if leads_out(table, row, inverse_mass[i], a) or leads_out(table, row, inverse_mass[i + 1], b):
+        return False
+    return bool(lies_across(table, row, i, a, b))
+
+
 def squeeze(scene: Scene, system: System, state: State, layout: Layout) -> Floats:
     """Return how deep nodes can be pressed in by weight and the tensions at the start [m], (k, n).
 
-    By those of their rope and of all that joints tie to it; of all ropes where some slide or ropes touch.
+    By those of their rope and of all that joints tie to it; of all ropes where some slide, ropes touch, or a
+    body turns freely.
     """
     table: Obstacles = system.node.obstacle
     size = np.linalg.norm(np.diff(state.x, axis=1), axis=0)
@@ -194,6 +242,7 @@ def squeeze(scene: Scene, system: System, state: State, layout: Layout) -> Float
     gravity = float(np.linalg.norm(system.gravity))
     force: Any = np.zeros(state.mass.size)  # of each node
     together = scene.contact is not None or len(scene.slides) > 0
+    together |= any(map(is_free, scene.obstacles))
     numbers = range(len(scene.ropes))
     for group in [list(numbers)] if together else tied_ropes(scene.ropes, scene.joints):
         spans = [layout.ropes[k] for k in group]

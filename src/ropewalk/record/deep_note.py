@@ -40,6 +40,12 @@ def deep_note(result: Result) -> str:
     )
 
 
+def _held_throughout(result: Result) -> list[int]:
+    """Return the nodes that anchors hold and do not let go."""
+    pairs = zip(result.layout.anchor_nodes, result.scene.anchors, strict=True)
+    return [node for node, anchor in pairs if anchor.release_time is None]
+
+
 def _deepest(result: Result) -> tuple[int, int, int, float]:
     """Return frame, obstacle and node of the deepest middle, and how far inside it is [m]; 0: none is."""
     table, turning = None, result.read(PULLEYS) if result.layout.pulleys else None
@@ -52,7 +58,7 @@ def _deepest(result: Result) -> tuple[int, int, int, float]:
         if table is None:
             table = model_of(result).system.node.obstacle
             loose = table.thickness > 0.0
-            loose[list(result.layout.anchor_nodes)] = False
+            loose[_held_throughout(result)] = False
         places = result.read("positions", first, last)
         for frame in np.flatnonzero(pressed.any(axis=1)).tolist():
             t = float(result.time[first + frame])

@@ -17,12 +17,13 @@ from ropewalk.laws.obstacle_places import depths
 from ropewalk.lowering.touching import at_rates
 from ropewalk.record.contacts import model_of
 from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS
+from ropewalk.statics.pressing import rounded
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _PIECE = 64  # frames that are read at once
-_LEAST = 0.01  # [m] of what is told, and the rope's diameter where that is more
+_LEAST = 0.05  # [m] of what is told, and twice the rope's diameter where that is more
 
 
 class Reach(NamedTuple):
@@ -37,7 +38,7 @@ class Reach(NamedTuple):
 
 
 def reach_note(result: Result) -> str:
-    """Say which node was braked farthest before an obstacle; "" where none was by more than a diameter.
+    """Say which node was braked farthest before an obstacle; "" where none was by more than some centimetres.
 
     Of the recorded frames.
     """
@@ -49,12 +50,13 @@ def reach_note(result: Result) -> str:
         f"at t = {result.time[found.frame]:.6g} s node {number} of rope {name!r} was braked "
         f"{1e3 * found.gap:.3g} mm before {body.name!r}: the damper of a contact takes hold ahead of it, the "
         "farther the heavier and the faster a node is. What it takes is right, the place is not, and it is "
-        f"early; a compliance of {found.compliance:.1g} m/N brings it to {1e3 * found.wanted:.3g} mm"
+        f"early; a compliance of {rounded(found.compliance)} m/N or less brings it to "
+        f"{1e3 * found.wanted:.3g} mm"
     )
 
 
 def farthest(result: Result) -> Reach | None:
-    """Return where a node was braked farthest from the nearest obstacle; None if within a diameter."""
+    """Return where a node was braked farthest from the nearest obstacle; None if within some centimetres."""
     if not result.scene.obstacles or "contact_force" not in result.source.names:
         return None
     apart = OBSTACLE_FORCE in result.source.names
@@ -75,7 +77,17 @@ def farthest(result: Result) -> Reach | None:
             found = _of_frame(table, frame, gaps, braked)
             if found.gap - found.wanted > (worst.gap - worst.wanted if worst else 0.0):
                 worst = found
-    return worst
+    return None if worst is None else _as_it_came(result, table, worst)
+
+
+def _as_it_came(result: Result, table: Obstacles, found: Reach) -> Reach:
+    """Return it with the compliance for the speed of the frame before: braking began between the two."""
+    row, node = found.obstacle, found.node
+    before = max(found.frame - 1, 0)
+    speed = float(np.linalg.norm(result.read("velocities", before, before + 1)[0, node]))
+    stiffness = float(table.stiffness[row, node])
+    reach = max(found.gap, speed * float(table.damping[row, node]) / stiffness)
+    return found._replace(compliance=(found.wanted / reach) ** 2 / stiffness)
 
 
 def _of_frame(table: Obstacles, frame: int, gaps: Floats, braked: NDArray[np.bool_]) -> Reach:
@@ -83,9 +95,8 @@ def _of_frame(table: Obstacles, frame: int, gaps: Floats, braked: NDArray[np.boo
 
     `gaps` (k, n) [m] are those between all obstacles and all nodes.
     """
-    wanted = np.maximum(2.0 * table.thickness, _LEAST)
+    wanted = np.maximum(4.0 * table.thickness, _LEAST)
     node = int(np.argmax(np.where(braked, gaps.min(axis=0) - wanted, -np.inf)))
     row = int(np.argmin(gaps[:, node]))
     gap, room = float(gaps[row, node]), float(wanted[node])
-    softness = (room / gap) ** 2 / float(table.stiffness[row, node])
-    return Reach(frame, row, node, gap, room, softness)
+    return Reach(frame, row, node, gap, room, 0.0)

@@ -106,7 +106,7 @@ class Line:
         return self._with(self.material.replace(EA=EA))
 
     def with_mass(self, mass_per_length: float) -> Line:
-        """Return the line of a rope of another mass per length [kg/m], set up as `with_EA` does it.
+        """Return the line of a rope of another `mass_per_length` [kg/m], set up as `with_EA` does it.
 
         Raises SceneError where such a line cannot have it.
         """

@@ -104,7 +104,9 @@ def speared_words(model: Model, balance: Balance, x: Floats) -> str:
     if not len(table.kind):
         return ""
     table = standing_obstacles(table, balance.state.memory.obstacle)
-    number, segment, row = next(through(table, x, model.layout), (-1, -1, -1))
+    number, segment, row = next(
+        through(table, x, model.state.inverse_mass, model.layout), (-1, -1, -1)
+    )
     if number < 0:
         return ""
     rope, body = model.layout.ropes[number].name, model.scene.obstacles[row].name
