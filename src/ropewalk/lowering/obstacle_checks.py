@@ -212,7 +212,7 @@ def through(
                 continue
             places = drawn_places(table, row, ends)
             across = (
-                int(k)
+                k
                 for k in long.tolist()
                 if _crosses(table, row, span.start + k, inverse_mass, places[k : k + 2])
             )
