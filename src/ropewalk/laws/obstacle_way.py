@@ -31,6 +31,7 @@ from ropewalk.laws.wheel_rows import surface_now, surface_then
 FINE, HALVE = 0, 2  # see `laws.couplings`
 TRIES = 500
 DEEPEST = 0.75  # [1] depth over the thinnest
+STANDS = 1e-9  # [m] in a step: an anchor that goes less stands
 LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
 FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
 LONG = 2.0 * (1.0 - DEEPEST)  # [1] length over half the thickness of what may lie across
@@ -144,9 +145,13 @@ def lies_across(obstacles, o, i, p, q):
 
 
 @kernel
-def leads_out(obstacles, o, inverse_mass, p):
-    """Tell whether a segment comes out of obstacle o, in which an anchor holds its end at place p."""
-    return inverse_mass == 0.0 and gap_at(obstacles, o, p) < 0.0
+def leads_out(obstacles, o, inverse_mass, a, p):
+    """Tell whether a segment comes out of obstacle o, in which an anchor holds its end: from a to p nowhere.
+
+    One that moves in the body may leave it on the other side.
+    """
+    way = abs(p[0] - a[0]) + abs(p[1] - a[1]) + abs(p[2] - a[2])
+    return inverse_mass == 0.0 and way < STANDS and gap_at(obstacles, o, p) < 0.0
 
 
 @kernel
@@ -198,8 +203,8 @@ def find_sweep(x, y, inverse_mass, stiffness, obstacles, wheels, through, now):
                 continue
             a, b = place_in(body, then, x, i), place_in(body, then, x, i + 1)
             p, q = place_in(body, here, y, i), place_in(body, here, y, i + 1)
-            if leads_out(obstacles, o, inverse_mass[i], p) or leads_out(
-                obstacles, o, inverse_mass[i + 1], q
+            if leads_out(obstacles, o, inverse_mass[i], a, p) or leads_out(
+                obstacles, o, inverse_mass[i + 1], b, q
             ):
                 continue
             if _may_reach(obstacles, o, i, a, b, p, q) and sweeps_across(

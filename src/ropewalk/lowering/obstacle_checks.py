@@ -224,7 +224,8 @@ def through(
 def _crosses(table: Obstacles, row: int, i: int, inverse_mass: Floats, places: Floats) -> bool:
     """Tell whether segment i lies across an obstacle, its ends at two places (2, 3) [m] as that is drawn."""
     a, b = tuple(places[0]), tuple(places[1])
-    if leads_out(table, row, inverse_mass[i], a) or leads_out(table, row, inverse_mass[i + 1], b):
+    ends = zip(inverse_mass[i : i + 2], (a, b), strict=True)
+    if any(leads_out(table, row, inert, end, end) for inert, end in ends):
         return False
     return bool(lies_across(table, row, i, a, b))
 
