@@ -8,9 +8,7 @@ compiled when Python calls it, and an inner function, kept as LLVM's bitcode, th
 
 from __future__ import annotations
 
-import gc
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from typing import Any
 
 from numba.core import ir, ir_utils, sigutils, types, typing
@@ -24,6 +22,7 @@ from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
 from ropewalk.core.deferred import calls_of, raise_late
 from ropewalk.core.inlining import InlineParts
 from ropewalk.core.libraries import EntryLibrary, InnerLibrary
+from ropewalk.core.litter import kept_for_later
 from ropewalk.core.passes import AssignOnce, InferTypes, Options, Passes, StripPhis
 from ropewalk.core.pointed import pointed
 from ropewalk.core.values import LowerValues
@@ -195,19 +194,6 @@ class _EntryCompiler(_FunctionCompiler):  # type: ignore[misc]
         )
 
 
-@contextmanager
-def _no_collections() -> Iterator[None]:
-    """Keep Python from looking for cycles among the compiler's objects, a seventh of its time."""
-    if not gc.isenabled():
-        yield
-        return
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.enable()
-
-
 class Entry(CPUDispatcher):
     """A kernel as Python calls it; kernels that call it link in its `inner` function."""
 
@@ -243,7 +229,7 @@ class Entry(CPUDispatcher):
 
     def compile(self, sig: Any) -> Any:
         """Compile for a signature and return what Python calls."""
-        with _no_collections():
+        with kept_for_later():
             found = super().compile(sig)
         args, _ = sigutils.normalize_signature(sig)
         compiled: Any = self.overloads[tuple(args)]

@@ -25,6 +25,7 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, flatten, pooled
 from ropewalk.core.deferred import clock, each, wait_too
+from ropewalk.core.litter import kept_for_later
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine.abreast import go_abreast
 from ropewalk.engine.crews import Crew, Crews, batches, go_alone
@@ -40,7 +41,6 @@ from ropewalk.engine.engine import (
 )
 from ropewalk.engine.frames import Frames, hold_frames
 from ropewalk.engine.gate import Gate
-from ropewalk.engine.litter import kept_for_later
 from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
 from ropewalk.engine.shares import gather_peaks, shares_of

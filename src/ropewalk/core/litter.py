@@ -9,7 +9,10 @@ from contextlib import contextmanager
 
 @contextmanager
 def kept_for_later() -> Iterator[None]:
-    """Look for no cycles inside: every search goes through all that was made, and finds nothing."""
+    """Look for no cycles inside: every search goes through all that was made, and finds nothing.
+
+    Of the time of compiling it took a seventh.
+    """
     if not gc.isenabled():
         yield
         return
