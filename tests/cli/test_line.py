@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 
+import ropewalk as rw
 from ropewalk.scene import load
 
 
@@ -37,6 +38,20 @@ def test_a_line_as_json_and_as_a_scene(ropewalk: Any, tmp_path: Path) -> None:
     scene = load(tmp_path / "b.toml")
     assert scene.ropes[0].length == pytest.approx(found["length"])
     assert scene.ropes[0].made_of.library == "wire-7x19-12"
+    assert [(load.node, load.mass) for load in scene.ropes[0].loads] == [(30, 80.0)]
+
+
+def test_the_scene_of_a_line_has_its_load_in_the_middle(ropewalk: Any, tmp_path: Path) -> None:
+    """Without it, whoever makes a sheet of the scene signs half of the tension."""
+    options = ("--span", "150", "--sag", "3 m", "--load", "100")
+    done = ropewalk("line", "wire-7x19-12", *options, "-o", "job.toml")
+    assert "hangs still at the middle, node 30" in done.stdout
+    most = float(done.stdout.split("largest tension ")[1].split(" kN")[0])
+    rest = rw.equilibrium(load(tmp_path / "job.toml"))
+    assert rest.tension.max() == pytest.approx(1e3 * most, rel=0.01)
+    done = ropewalk("line", "wire-7x19-12", *options[:-2], "-o", "bare.toml")
+    assert "hangs still" not in done.stdout
+    assert not load(tmp_path / "bare.toml").ropes[0].loads
 
 
 def test_bad_lines(ropewalk: Any) -> None:

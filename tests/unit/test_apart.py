@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ropewalk as rw
-from ropewalk.analysis.apart import torn_apart
+from ropewalk.analysis.apart import jerks, torn_apart
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
 from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Limiter, Material, Rope, RunSettings, Scene, Straight, Velocity
@@ -51,6 +51,13 @@ def test_it_says_when_the_run_breaks(method: str) -> None:
     calm = pulled(2.9, method)
     assert rw.check(calm, measure=False).ok
     assert broken_at(calm)[0] == OK
+
+
+def test_a_jerk_is_not_blamed_for_a_distance() -> None:
+    """Waves run at 45 m/s: 100 m/s stretches the first segment too far, 4 m/s only what is led too far."""
+    assert not jerks(build(pulled()))
+    (told,) = jerks(build(pulled(400.0).replace(run=RunSettings(method="verlet", duration=0.001))))
+    assert "moves at up to 400 m/s" in told
 
 
 def test_rigid_links_and_bounds_give_way_by_nothing() -> None:

@@ -64,8 +64,9 @@ def jerks(model: Model) -> list[str]:
         speeds = [largest_speed(system.anchors, row) for row in span.rows]
         waves = _slowest_waves(model, span)
         jerk = _FIRST * max(speeds) / waves
-        largest = float(_stretches(model, span)[1].max()) + jerk
-        if jerk > 0.0 and largest > _most(model, span):
+        led, most = float(_stretches(model, span)[1].max()), _most(model, span)
+        largest = led + jerk
+        if led <= most * (1.0 + _ROUNDING) < largest:  # beyond it by its way: `torn_apart`
             rope, names = _names(model, span)
             fast = names[int(np.argmax(speeds))]
             found.append(

@@ -127,7 +127,7 @@ def make_design(
         faults.append(Fault("seed", seed, "must be a whole number from 0 on"))
     spread = [parameter.path for parameter in parameters if parameter.spread is not None]
     if samples is None and spread:
-        rule = "is a range or a distribution: say how many samples to draw (samples=256)"
+        rule = "is a range or a distribution: say how many samples to draw (samples=256; --samples 256)"
         faults += [Fault(path, NO_VALUE, rule) for path in spread]
     if given and samples is not None:
         rule = "leave it out: a table gives the runs themselves"

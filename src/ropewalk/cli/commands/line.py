@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ropewalk.rigging import Line, Rolling
 
 _SHOWN = 9  # places of the load in the table
+_SEGMENTS = 60  # of the scene that is written
 
 
 @click.command()
@@ -34,7 +35,7 @@ _SHOWN = 9  # places of the load in the table
     "--output",
     type=click.Path(path_type=Path),
     metavar="FILE",
-    help="Write a scene of the line (.toml), or draw the rolling load (.png, .svg, .pdf).",
+    help="Write a scene, the load in its middle (.toml), or draw how it rolls (.png, .svg, .pdf).",
 )
 @click.option("--overwrite", is_flag=True, help="Replace a file that is there.")
 @json_option
@@ -70,7 +71,7 @@ def line(
     found = set_up(as_value(span), higher, rope, **numbers)
     rolled = found.rolling(mass, held=held) if mass is not None else None
     if output is not None:
-        _write(found, rolled, output)
+        _write(found, mass, rolled, output)
     if as_json:
         print_json(_facts(found, rolled))
         return
@@ -80,6 +81,8 @@ def line(
         _print(rolled)
     if output is not None:
         say(str(output))
+        if rolled is not None and output.suffix.lower() == ".toml":
+            say(f"in this scene the load hangs still at the middle, node {_SEGMENTS // 2}")
 
 
 def _check_output(output: Path, load: str | None) -> None:
@@ -92,12 +95,13 @@ def _check_output(output: Path, load: str | None) -> None:
         raise Refusal(f"{output}: a figure needs a load that rolls (--load)")
 
 
-def _write(found: Line, rolled: Rolling | None, output: Path) -> None:
+def _write(found: Line, mass: float | None, rolled: Rolling | None, output: Path) -> None:
     output.parent.mkdir(parents=True, exist_ok=True)
     if output.suffix.lower() == ".toml":
-        from ropewalk.scene import save
+        from ropewalk.scene import Load, save
 
-        save(found.scene(name=output.stem), output)
+        loads = [] if mass is None else [Load(node=_SEGMENTS // 2, mass=mass)]
+        save(found.scene(_SEGMENTS, name=output.stem, loads=loads), output)
     elif rolled is not None:
         from ropewalk import plots
 
