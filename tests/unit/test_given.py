@@ -13,10 +13,12 @@ from PIL import Image
 
 import ropewalk as rw
 from live.drive import slack_rope
+from ropewalk import plots
 from ropewalk.plots import compare
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.plots.given_forces import GIVEN, given_notes
-from ropewalk.scene import Force
+from ropewalk.plots.movies import _moments, _Painter, stage
+from ropewalk.scene import Force, Straight
 
 
 def texts(figure: plt.Figure) -> list[str]:
@@ -64,6 +66,31 @@ def test_every_figure_that_shows_the_ropes_shows_the_forces_at_nodes() -> None:
         start, tip = (np.array(place) for place in arrow._posA_posB)  # type: ignore[attr-defined]
         lengths.append(abs(tip - start)[1])
     assert lengths[1] == pytest.approx(2.5 * lengths[0])
+
+
+def test_arrows_stay_in_the_picture() -> None:
+    """Those at the end of a rope, along it, left every picture but that of forces."""
+    springs = rw.Springs(spring_constant=1e3, node_mass=0.1, segment_length=0.5)
+    for direction, force in (((0, 0, -1), (0, 0, -20.0)), ((1, 0, 0), (30.0, 0, 0))):
+        shape = Straight(start=(0, 0, 0), direction=direction)
+        rope = rw.Rope(
+            segments=4, made_of=springs, shape=shape, forces=[Force(node=-1, force=force)]
+        )
+        run = rw.RunSettings(duration=0.1, time_step=1e-3, method="semi-implicit-euler")
+        scene = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
+        result = rw.simulate(scene)
+        figures = [plots.film(result, 4), compare([result, result]), dimensions(result)]
+        drawn = [axes for figure in figures for axes in figure.axes]
+        drawn += plots.shape(result, [0.0], plane="xz").axes
+        seen = stage(result, "xz", (960, 540))
+        painter = _Painter(result, seen, (960, 540), 1.0, 2)
+        painter.paint(next(_moments(result, np.array([0.1]), seen.good)))
+        found = [(axes, arrow) for axes in (*drawn, painter._axes) for arrow in arrows(axes)]
+        assert len(found) == 4 + 2 + 1 + 1 + 1
+        for axes, arrow in found:
+            x, y = arrow._posA_posB[1]  # type: ignore[attr-defined]
+            assert axes.get_xlim()[0] < x < axes.get_xlim()[1]
+            assert axes.get_ylim()[0] < y < axes.get_ylim()[1]
 
 
 def test_the_forces_at_nodes_go_with_the_rope_in_a_movie(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ import math
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from matplotlib.figure import Figure
 
 import runs
 from ropewalk import equilibrium, plots
-from ropewalk.plots.energies import energy_curves
+from ropewalk.plots.energies import energy_curves, work_curves
 from ropewalk.plots.sight import good_frames
 from ropewalk.plots.style import set_title
 from ropewalk.plots.tensions import colour_scale, open_ends, thinned
@@ -279,6 +280,13 @@ def test_energy_curves_and_error_are_the_results(three_anchors):
     labels = [item.get_label() for item in upper.lines]
     assert "work of air" not in labels  # there is none
     assert "work of anchor middle" not in labels  # it does not move
+
+
+def test_works_are_told_in_whole_words():
+    """The work of what a hand applies was called "work of applied"."""
+    parts = {"applied": np.ones(3), "air": np.ones(3), "anchor:a $": np.ones(3)}
+    found = work_curves(SimpleNamespace(work=parts, contact_work={}), 3)
+    assert set(found) == {"work of applied forces", "work of air", r"work of anchor a \$"}
 
 
 def test_gravity_is_left_out_where_there_is_none():

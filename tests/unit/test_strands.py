@@ -113,3 +113,13 @@ def test_a_thin_rope_beside_a_thick_one_is_no_thinner_than_a_line() -> None:
     level = [one for one in ribbons(figure) if abs(one[:, 0].mean() + 0.45) < 0.01]
     room = figure.axes[0].transData.transform(level[1]) * 72.0 / figure.dpi
     assert np.ptp(room[:, 1]) == pytest.approx(LINE, rel=0.3)
+
+
+def test_a_rope_at_a_drum_is_no_wider_than_it_is() -> None:
+    """Beside what lies on the drum, segments without length, it was half as wide again."""
+    points = np.array([[0.0, 0.0], [0.0, 0.0], [0.0, -1.0], [0.0, -2.0], [0.0, -2.0]])
+    corners = ribbon(points, np.ones(4, dtype=bool), np.full(4, 0.1))
+    for segment in (1, 2):
+        begin, end = corners[segment, [0, 3]], corners[segment, [1, 2]]
+        assert np.ptp(begin[:, 0]) == pytest.approx(0.2)
+        assert np.ptp(end[:, 0]) == pytest.approx(0.2)

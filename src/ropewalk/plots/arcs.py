@@ -25,11 +25,28 @@ def node_arcs(result: Result, frame: int, rope: str) -> Floats:
 
     What a winch has paid out counts where it is at that frame.
     """
-    view = result.rope(rope)
-    count = view.live.shape[1]
-    lengths = view.rest_length[frame] if has_length(result, rope) else np.ones(count)
+    lengths = laid_lengths(result, rope)[frame]
+    if not has_length(result, rope):
+        lengths = np.ones(len(lengths))
     found: Floats = np.concatenate([[0.0], np.cumsum(lengths)])
     return found
+
+
+def laid_lengths(result: Result, rope: str) -> Floats:
+    """Return the unstretched lengths of the segments of a rope [m], (f, s): 0 on a drum.
+
+    What has parted keeps the length that it had, so that what lies behind it stays in its place.
+    """
+    partings = [one for one in result.partings if one.rope == rope]
+    lengths = result.rope(rope).rest_length
+    if partings:
+        lengths = np.array(lengths)
+    for one in partings:
+        segment = result.layout.span(rope).spare_start + one.segment
+        gone = int(np.searchsorted(result.time, one.time))
+        had = float(lengths[gone - 1, segment]) if gone else 0.0
+        lengths[gone:, segment] = had or result.scene.rope_named(rope).segment_length
+    return lengths
 
 
 def segment_arcs(result: Result, frame: int, rope: str) -> Floats:

@@ -24,9 +24,9 @@ from ropewalk.plots.canvas import (
     magnification_note,
     prepare,
 )
-from ropewalk.plots.curves import drawable, mark_break
+from ropewalk.plots.curves import drawable, lone, mark_break
 from ropewalk.plots.energies import energy_curves
-from ropewalk.plots.given_forces import arrow_scale, arrows_note, draw_forces
+from ropewalk.plots.given_forces import arrow_scale, arrows_note, draw_forces, with_room
 from ropewalk.plots.shape_figure import draw_points, draw_ropes
 from ropewalk.plots.sight import Floats, frame_at, limits, shown_positions, telling_frames
 from ropewalk.plots.style import (
@@ -43,6 +43,7 @@ from ropewalk.plots.style import (
     styled,
     times_map,
 )
+from ropewalk.record.ends import shortly
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -96,15 +97,21 @@ def _common_backdrops(found: Comparison, plane: str | None) -> list[Backdrop]:
     names = view.across_name + view.up_name
     if plane is None and len(names) == 2:
         own = [own[0], *(backdrop(result, names) for result in found.results[1:])]
-    boxes = [one.box for one in own]
-    box = Box(
+    own = [replace(one, view=view, box=_around(own)) for one in own]
+    room = [with_room(*pair, sizes=False) for pair in zip(found.results, own, strict=True)]
+    return [replace(one, box=_around(room)) for one in own]
+
+
+def _around(backdrops: list[Backdrop]) -> Box:
+    """Return the box around those of all runs."""
+    boxes = [one.box for one in backdrops]
+    return Box(
         min(b.left for b in boxes),
         max(b.right for b in boxes),
         min(b.low for b in boxes),
         max(b.high for b in boxes),
         min(b.magnified for b in boxes),
     )
-    return [replace(one, view=view, box=box) for one in own]
 
 
 def _draw_shapes(
@@ -186,7 +193,8 @@ def _draw_distance(axes: Axes, found: Comparison) -> None:
         if distance.defined:
             curves.append(distance.largest)
             name = escape(found.labels[number])
-            axes.plot(distance.time, distance.largest, label=name, **line_style(number))
+            style = line_style(number) | lone(found.results[number])
+            axes.plot(distance.time, distance.largest, label=name, **style)
     axes.set_xlabel("time [s]")
     if not curves:
         axes.text(0.5, 0.5, "not defined", transform=axes.transAxes, ha="center", color=GREY)
@@ -210,7 +218,9 @@ def _draw_energy(axes: Axes, found: Comparison, backdrops: list[Backdrop], name:
             parts.append(values[: seen.good])
         end = max(end, float(result.time[seen.good - 1]))
         curve = drawable(values, seen.good)
-        axes.plot(result.time, curve, label=found.labels[number], **line_style(number))
+        axes.plot(
+            result.time, curve, label=found.labels[number], **line_style(number), **lone(result)
+        )
         mark_break(axes, result, seen.good)
     axes.set_ylim(*limits(parts))
     axes.set_xlim(0.0, end or 1.0)
@@ -238,7 +248,9 @@ def _notes(found: Comparison, backdrops: list[Backdrop]) -> list[str]:
         elif distance.way != "node by node":
             notes.append(f"{name} {distance.way}.")
     for label_, result, seen in zip(found.labels, found.results, backdrops, strict=True):
-        if seen.good < len(result.time) or result.status == "broke":
+        if any(end.frames < seen.good for end in result.ends):
+            notes.append(f"{label_}: broken, {shortly(result.ends)}.")
+        elif seen.good < len(result.time) or result.status == "broke":
             notes.append(f"{label_} broke after t = {result.time[seen.good - 1]:.4g} s.")
     shown = found.settings[:4]
     if shown:

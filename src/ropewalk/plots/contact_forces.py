@@ -132,9 +132,9 @@ def _draw_forces(axes: Axes, result: Result, frame: int) -> None:
 def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> None:
     for number, span in enumerate(result.layout.ropes):
         middles = segment_arcs(result, frame, span.name)
-        live = result.rope(span.name).live[frame]
-        values = result.rope(span.name).tension[frame]
-        axes.plot(middles[live], values[live], marker=".", **line_style(number))
+        rope = result.rope(span.name)
+        values = np.where(rope.live[frame], rope.tension[frame], np.nan)  # no line over what parted
+        axes.plot(middles, values, marker=".", **line_style(number))
         offset = span.start - span.first
         for coil in (one for one in found if one.rope == span.name):
             first = offset + coil.first - 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -32,6 +32,11 @@ def mark_break(axes: Axes, result: Result, good: int) -> None:
     if good < len(result.time):
         at = float(result.time[good - 1])
         axes.axvline(at, color=BROKEN, linewidth=1.0, linestyle=(0, (4, 3)), label="_break")
+
+
+def lone(result: Result) -> dict[str, Any]:
+    """Return the marker of curves of a single frame, which would not be seen; none for more."""
+    return {"marker": "o", "clip_on": False} if result.frames == 1 else {}
 
 
 def drawable(values: Floats, good: int, among: list[Floats] | None = None) -> Floats:

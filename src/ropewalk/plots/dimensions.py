@@ -21,7 +21,7 @@ from ropewalk.plots.canvas import (
     magnification_note,
     prepare,
 )
-from ropewalk.plots.given_forces import draw_forces, given_notes
+from ropewalk.plots.given_forces import draw_forces, given_notes, with_room
 from ropewalk.plots.sight import Floats, anchors_at, load_nodes, positions_of, rope_lines
 from ropewalk.plots.style import (
     COLOURS,
@@ -54,7 +54,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
 
     Raises ValueError for a plane that is none.
     """
-    seen = backdrop(result, plane, [0], still=True)
+    seen = with_room(result, backdrop(result, plane, [0], still=True), [0])
     height = float(np.clip(6.4 * seen.box.height / seen.box.width, 2.0, 3.8))
     figure = new_figure(7.2, height + 1.3)
     axes = figure.subplots()

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import SymmetricalLogLocator
 
 from ropewalk.lowering.layout import ROPES
-from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.curves import drawable, lone, mark_break, set_limits, time_limits
 from ropewalk.plots.sight import Floats, good_frames
 from ropewalk.plots.style import (
     COLOURS,
@@ -39,6 +39,7 @@ _INNER = (
     "weight",
     "bending",
 )  # their works are the changes of the energies drawn anyway
+_NAMES = {"applied": "applied forces"}  # of laws
 #: What `laws.contact_books.ENTRIES` are, of a kind of surface.
 _OF_SURFACES = {
     "motor": "work of what moves {}",
@@ -66,11 +67,12 @@ def energy(result: Result) -> Figure:
             label=name,
             color=_COLOURS[name],
             linewidth=width,
+            **lone(result),
         )
     dashes = ((0, (4, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2)))
     for number, (name, values) in enumerate(works.items()):
         style = {"color": (*COLOURS[1:6:2], GREY)[number % 4], "linestyle": dashes[number % 3]}
-        upper.plot(result.time, drawable(values, good, every), label=name, **style)
+        upper.plot(result.time, drawable(values, good, every), label=name, **style, **lone(result))
     scaled_axis(upper, "energy", "J", set_limits(upper, every, good))
     if good < len(result.time):
         _break_scale(upper, every, good, 5)
@@ -91,18 +93,13 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
     """Draw the energy error; return what to say of it."""
     with np.errstate(all="ignore"):
         error = np.asarray(result.energy_error)
-    if not np.isfinite(error[:good]).any():
-        axes.text(
-            0.5,
-            0.5,
-            "this run kept no energy ledger",
-            transform=axes.transAxes,
-            ha="center",
-            color=GREY,
-        )
+    least, most = (np.asarray(bound) for bound in result.energy_errors.T)
+    resting = result.status == "at rest"
+    if resting or not np.isfinite(error[:good]).any():
+        why = "an equilibrium has no energy error" if resting else "this run kept no energy ledger"
+        axes.text(0.5, 0.5, why, transform=axes.transAxes, ha="center", color=GREY)
         axes.set_ylabel("energy error [J]")
         return []
-    least, most = (np.asarray(bound) for bound in result.energy_errors.T)
     axes.fill_between(
         result.time,
         drawable(least, good),
@@ -111,7 +108,9 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
         alpha=0.3,
         linewidth=0.0,
     )
-    axes.plot(result.time, drawable(error, good), color=COLOURS[1], label="energy error")
+    axes.plot(
+        result.time, drawable(error, good), color=COLOURS[1], label="energy error", **lone(result)
+    )
     axes.axhline(0.0, color="#808080", linewidth=0.6, zorder=0.5)
     scaled_axis(axes, "energy error", "J", set_limits(axes, [error, least, most], good, 0.1))
     if good < len(result.time):
@@ -194,7 +193,9 @@ def work_curves(result: Result, good: int) -> dict[str, Floats]:
         if name.startswith("anchor:"):
             anchors[f"work of anchor {escape(name.removeprefix('anchor:'))}"] = part
         else:
-            found |= surface_curves(result, name, good) or {f"work of {name}": part}
+            found |= surface_curves(result, name, good) or {
+                f"work of {_NAMES.get(name, name)}": part
+            }
     if len(anchors) > _MOST_ANCHORS:
         with np.errstate(all="ignore"):
             anchors = {_SUM: np.sum(list(anchors.values()), axis=0)}

@@ -21,9 +21,9 @@ from ropewalk.plots.canvas import (
     magnification_note,
     prepare,
 )
-from ropewalk.plots.given_forces import arrows_note, draw_forces
+from ropewalk.plots.given_forces import arrows_note, draw_forces, with_room
 from ropewalk.plots.shape_figure import draw_points, draw_ropes
-from ropewalk.plots.sight import sight_notes, spread_frames
+from ropewalk.plots.sight import gone_ropes, sight_notes, spread_frames
 from ropewalk.plots.style import COLOURS, FAINT, describe, new_figure, set_note, set_title, styled
 from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
 
@@ -43,7 +43,7 @@ def film(
 
     Raises ValueError for frames that are not there and for a plane that is none.
     """
-    seen = backdrop(result, plane)
+    seen = with_room(result, backdrop(result, plane), sizes=False)
     chosen = _chosen(result, frames, seen.good)
     torn = broken_shapes(result) if chosen[-1] == result.frames - 1 else []
     count = len(chosen) + len(torn)
@@ -75,7 +75,7 @@ def film(
     clipped = "the broken shapes (orange) leave the picture"
     notes = broken_note(result, seen.good, clipped=clipped) + magnification_note(seen.box)
     notes += sight_notes(result, seen.view)
-    set_note(figure, notes + arrows_note(result.scene))
+    set_note(figure, notes + arrows_note(result.scene, gone=gone_ropes(result, chosen[0])))
     return figure
 
 

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from ropewalk.plots.arcs import arc_label, node_arcs, segment_arcs
 from ropewalk.plots.canvas import (
     Backdrop,
+    Box,
     backdrop,
     draw_anchors,
     draw_loads,
@@ -23,9 +24,16 @@ from ropewalk.plots.canvas import (
     magnification_note,
     prepare,
 )
-from ropewalk.plots.given_forces import arrow_scale, draw_forces, given_notes
+from ropewalk.plots.given_forces import arrow_scale, draw_forces, given_notes, roomy
 from ropewalk.plots.margin_notes import margin_notes
-from ropewalk.plots.sight import anchors_at, good_frames, holding, limits, shown_positions
+from ropewalk.plots.sight import (
+    anchors_at,
+    gone_ropes,
+    good_frames,
+    holding,
+    limits,
+    shown_positions,
+)
 from ropewalk.plots.style import (
     COLOURS,
     describe,
@@ -62,7 +70,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     figure = new_figure(7.2, height + 3.2)
     above, below = figure.subplots(2, 1, height_ratios=[height, 1.7])
     scale, colours, extend = colour_scale([result.tension[frame][result.live[frame]]])
-    _draw_shape(above, result, seen, frame, scale, colours)
+    pulled = _draw_shape(above, result, seen, frame, scale, colours)
     bar = figure.colorbar(
         ScalarMappable(scale, line_map(colours)), ax=above, extend=extend, pad=0.015, aspect=16
     )
@@ -76,16 +84,17 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     clipped = "the last good frame is drawn"
     notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
     notes += margin_notes(result, frame, frame + 1)
-    if holding(result, float(result.time[frame])):
+    if pulled:
         notes.append("Orange arrows: the anchors' forces on the ropes.")
-    notes += given_notes(result.scene)
+    notes += given_notes(result.scene, gone=gone_ropes(result, frame))
     set_note(figure, notes)
     return figure
 
 
 def _draw_shape(
     axes: Axes, result: Result, seen: Backdrop, frame: int, scale: Normalize, colours: str
-) -> None:
+) -> bool:
+    """Draw the ropes and all that pulls on them; return whether an anchor does."""
     points = seen.view.project(shown_positions(result, frame))
     ends = np.stack([points[:-1], points[1:]], axis=1)
     live = result.live[frame]
@@ -103,14 +112,15 @@ def _draw_shape(
             zorder=3,
         )
     )
-    _draw_forces(axes, result, seen, frame)
+    pulled = _draw_forces(axes, result, seen, frame)
     draw_anchors(axes, result, seen.view, frame)
     draw_loads(axes, result, seen.view, frame)
     label(axes, seen.view)
+    return pulled
 
 
-def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None:
-    """Draw the anchors' forces as arrows, and write their sizes beside them."""
+def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> bool:
+    """Draw the anchors' forces as arrows, and write their sizes beside them; return whether there are any."""
     holds = holding(result, float(result.time[frame]))
     forces = np.nan_to_num(result.reactions[frame][holds])  # NaN: of a rope that broke before
     sizes = np.linalg.norm(forces, axis=1)
@@ -119,11 +129,10 @@ def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None
     if len(given):
         _make_room(axes, given)
     if not sizes.size or sizes.max() == 0.0:
-        return
-    held = sizes > 1e-9 * sizes.max()
+        return False
     places, ways = seen.view.project(anchors_at(result, frame)), seen.view.project(forces)
     shrink = np.array([1.0, 1.0 / seen.box.magnified])
-    tips = [places[0]]
+    tips = []
     for place, way, size in zip(places, ways, sizes, strict=True):
         if size <= 1e-9 * sizes.max():
             continue
@@ -146,16 +155,15 @@ def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> None
             color=COLOURS[1],
             annotation_clip=False,
         )
-    if held.any():
-        _make_room(axes, np.array(tips))
+    _make_room(axes, np.array(tips))
+    return True
 
 
 def _make_room(axes: Axes, tips: np.ndarray) -> None:
     """Widen the axes so that the arrows and what is written at them lie inside."""
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
-    text, line = 0.15 * (right - left), 0.08 * (high - low)
-    axes.set_xlim(min(left, tips[:, 0].min() - text), max(right, tips[:, 0].max() + text))
-    axes.set_ylim(min(low, tips[:, 1].min() - line), max(high, tips[:, 1].max() + line))
+    box = roomy(Box(*axes.get_xlim(), *axes.get_ylim()), tips)
+    axes.set_xlim(box.left, box.right)
+    axes.set_ylim(box.low, box.high)
 
 
 def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
@@ -164,12 +172,12 @@ def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
     most = 0.0
     for number, span in enumerate(result.layout.ropes):
         rope = result.rope(span.name)
-        live = rope.live[frame]
-        arc = segment_arcs(result, frame, span.name)[live]
-        values = rope.tension[frame][live]
+        arc = segment_arcs(result, frame, span.name)
+        values = np.where(rope.live[frame], rope.tension[frame], np.nan)  # no line over what parted
         curves.append(values)
         most = max(most, float(node_arcs(result, frame, span.name)[-1]))
-        axes.plot(arc, values, marker=".", label=escape(span.name), **line_style(number))
+        name = escape(span.name) if np.isfinite(values).any() else "_"  # it broke before
+        axes.plot(arc, values, marker=".", label=name, **line_style(number))
     low, high = limits(curves)
     axes.set_ylim(min(low, 0.0) if low < 0.5 * high else low, high)
     axes.set_xlim(0.0, most or 1.0)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,8 +13,8 @@ from matplotlib.patches import FancyArrowPatch
 from matplotlib.text import Text
 
 from ropewalk.core.arrays import Ints
-from ropewalk.plots.canvas import Backdrop
-from ropewalk.plots.sight import Floats, shown_positions
+from ropewalk.plots.canvas import Backdrop, Box
+from ropewalk.plots.sight import Floats, shown_positions, spread
 from ropewalk.scene import Scene
 from ropewalk.words.prefixes import prefixed
 
@@ -25,20 +27,26 @@ _MOST = 100  # arrows in one drawing
 _WRITTEN = 12  # with more of them the sizes would hide each other
 
 
-def given_notes(scene: Scene) -> list[str]:
-    """Return a sentence for each rope that lies in water, and one on the arrows of forces."""
+def given_notes(scene: Scene, *, gone: Collection[str] = (), arrows: bool = True) -> list[str]:
+    """Return a sentence for each rope that lies in water, and one on the `arrows` of forces.
+
+    Those of ropes that are `gone` are not drawn.
+    """
     several = len(scene.ropes) > 1
     found = []
     for rope in scene.ropes:
         if rope.submerged_weight is not None:
             of = f"of {rope.name!r} " if several else ""
             found.append(f"Weight {of}in water: {rope.submerged_weight:.4g} N/m.")
-    return found + arrows_note(scene, written=True)
+    return found + (arrows_note(scene, written=True, gone=gone) if arrows else [])
 
 
-def arrows_note(*scenes: Scene, written: bool = False) -> list[str]:
+def arrows_note(*scenes: Scene, written: bool = False, gone: Collection[str] = ()) -> list[str]:
     """Return a sentence on the arrows of forces; on their size, too, where it is not `written` at them."""
-    sizes = [[np.linalg.norm(f.force) for r in scene.ropes for f in r.forces] for scene in scenes]
+    sizes = [
+        [np.linalg.norm(f.force) for r in scene.ropes if r.name not in gone for f in r.forces]
+        for scene in scenes
+    ]
     largest, most = float(max(map(max, filter(None, sizes)), default=0.0)), max(map(len, sizes))
     if largest == 0.0:
         return []
@@ -53,6 +61,49 @@ def arrow_scale(seen: Backdrop, *results: Result, largest: float = 0.0) -> float
     """Return a good length of arrows per force [m/N] where forces of `largest` [N] are drawn, too."""
     size = max(largest, *(float(_forces(result)[2].max(initial=0.0)) for result in results))
     return _LONGEST * max(seen.box.width, seen.box.height) / size if size > 0.0 else 0.0
+
+
+def with_room(
+    result: Result, seen: Backdrop, frames: Sequence[int] | None = None, *, sizes: bool = True
+) -> Backdrop:
+    """Return a backdrop whose box holds the arrows of constant forces, too, with their `sizes`.
+
+    At the good ones of `frames`, by default of all.
+    """
+    nodes = _forces(result)[0]
+    if not nodes.size:
+        return seen
+    frames = spread(seen.good, 400) if frames is None else [f for f in frames if f < seen.good]
+    points = [shown_positions(result, frame)[nodes] for frame in frames]
+    starts = seen.view.project(np.concatenate([np.empty((0, 3)), *points]))
+    for _ in range(3):  # in a larger box arrows are longer
+        ways = _ways(result, seen, arrow_scale(seen, result))
+        tips = (starts.reshape(-1, len(nodes), 2) + ways).reshape(-1, 2)
+        seen = replace(seen, box=roomy(seen.box, tips, sizes=sizes))
+    return seen
+
+
+def roomy(box: Box, tips: Floats, *, sizes: bool = True) -> Box:
+    """Widen a box so that the tips of arrows (m, 2) [m], and `sizes` written at them, lie inside."""
+    tips = tips[np.isfinite(tips).all(axis=1)]
+    if not len(tips):
+        return box
+    across, up = (0.15, 0.08) if sizes else (0.02, 0.02)
+    text, line = across * box.width, up * (box.high - box.low)
+    return replace(
+        box,
+        left=min(box.left, float(tips[:, 0].min()) - text),
+        right=max(box.right, float(tips[:, 0].max()) + text),
+        low=min(box.low, float(tips[:, 1].min()) - line),
+        high=max(box.high, float(tips[:, 1].max()) + line),
+    )
+
+
+def _ways(result: Result, seen: Backdrop, scale: float) -> Floats:
+    """Return the arrows of forces in the drawing, (m, 2) [m], at a length per force [m/N]."""
+    shrink = np.array([1.0, 1.0 / seen.box.magnified])
+    ways: Floats = scale * seen.view.project(_forces(result)[1]) * shrink
+    return ways
 
 
 def _forces(result: Result) -> tuple[Ints, Floats, Floats]:
@@ -79,10 +130,8 @@ class GivenForces:
         `scale` is their length per force [m/N]; by default the largest one has a good length.
         """
         self._seen = seen
-        self._nodes, forces, newtons = _forces(result)
-        scale = scale or arrow_scale(seen, result)
-        shrink = np.array([1.0, 1.0 / seen.box.magnified])
-        self._ways = scale * seen.view.project(forces) * shrink
+        self._nodes, _, newtons = _forces(result)
+        self._ways = _ways(result, seen, scale or arrow_scale(seen, result))
         self._arrows = [_arrow() for _ in self._nodes]
         for arrow in self._arrows:
             axes.add_artist(arrow)
@@ -104,8 +153,10 @@ class GivenForces:
         tips: Floats = starts + self._ways
         for arrow, start, tip in zip(self._arrows, starts, tips, strict=True):
             arrow.set_positions(tuple(start), tuple(tip))
+            arrow.set_visible(bool(np.isfinite(tip).all()))  # NaN: of a rope that broke before
         for text, tip in zip(self._texts, tips, strict=False):
             text.set_position(tuple(tip))
+            text.set_visible(bool(np.isfinite(tip).all()))
         return tips
 
 

@@ -10,11 +10,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.curves import drawable, lone, mark_break, set_limits, time_limits
 from ropewalk.plots.sight import (
     Floats,
     along,
     good_frames,
+    good_frames_of,
     limits,
     node_index,
     node_name,
@@ -74,7 +75,9 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
     for number, (index, values) in enumerate(zip(chosen, curves, strict=True)):
         curve = drawable(values, good, curves)
         _draw_band(axes, result, index, good, "_" if number else ALL_STEPS)
-        axes.plot(result.time, curve, label=node_name(result, index), **line_style(number))
+        axes.plot(
+            result.time, curve, label=node_name(result, index), **line_style(number), **lone(result)
+        )
     axes.set_xlim(*time_limits(result, good))
     set_limits(axes, curves, good)
     mark_break(axes, result, good)
@@ -99,9 +102,9 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
 def _height_of(result: Result, index: int, up: Floats) -> Floats:
     """Return the height of a node [m], (frames,); NaN where its rope broke and others went on."""
     values = np.array(along(result.positions[:, index], up))
-    for end in result.ends:
-        if end.frames < good_frames(result) and result.layout.rope_of(index)[0] in end.ropes:
-            values[end.frames :] = np.nan
+    good = good_frames_of(result, result.layout.rope_of(index)[0])
+    if good < good_frames(result):
+        values[good:] = np.nan
     return values
 
 

@@ -33,7 +33,7 @@ from ropewalk.plots.canvas import (
 )
 from ropewalk.plots.ffmpeg import MovieError, Mp4Writer
 from ropewalk.plots.gif import GifWriter, make_palette
-from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes
+from ropewalk.plots.given_forces import GIVEN, GivenForces, given_notes, with_room
 from ropewalk.plots.sight import Floats, held_nodes, load_nodes, sight_notes, tame
 from ropewalk.plots.strands import LINE, Strands, live_segments
 from ropewalk.plots.style import (
@@ -88,7 +88,7 @@ def movie(
     """
     path = Path(path)
     _check(path, fps, size, speed)
-    seen = backdrop(result, plane)
+    seen = stage(result, plane, size)
     times = movie_times(result, fps, speed, seen.good)
     past = _past(result, fps)
     count = len(times) + len(past)
@@ -114,6 +114,13 @@ def movie(
     finally:
         part.unlink(missing_ok=True)
     return path
+
+
+def stage(result: Result, plane: str | None, size: tuple[int, int]) -> Backdrop:
+    """Return the backdrop of a movie, which fills its pictures and has room for arrows."""
+    seen = backdrop(result, plane)
+    seen = replace(seen, box=_filled(seen.box, size))  # in a wide box arrows are long
+    return with_room(result, seen)
 
 
 def _check(path: Path, fps: float, size: tuple[int, int], speed: float) -> None:
@@ -169,7 +176,7 @@ def _moments(result: Result, times: Floats, good: int) -> Iterator[_Moment]:
         high = min(low + 1, len(have) - 1)
         if high >= start + len(points):
             start = low
-            points = result.read("positions", low, low + block)
+            points = _shown(result, low, low + block, good)
             tension = result.read("tension", low, low + block)
         share = 0.0
         if high > low:
@@ -184,6 +191,16 @@ def _moments(result: Result, times: Floats, good: int) -> Iterator[_Moment]:
             x = points[first] + share * (points[second] - points[first])
             t = tension[first] + share * (tension[second] - tension[first])
             yield _Moment(float(time), x, t, False)
+
+
+def _shown(result: Result, start: int, stop: int, good: int) -> Floats:
+    """Return positions of frames [m], (f, n, 3); NaN for ropes that broke before, while others went on."""
+    points = np.array(result.read("positions", start, stop))
+    for end in result.ends:
+        for span in map(result.layout.span, end.ropes):
+            there, until = max(end.frames - start, 0), max(good - start, 0)
+            points[there:until, span.first : span.last + 1] = np.nan
+    return points
 
 
 class _Painter:
@@ -252,8 +269,10 @@ class _Painter:
         if moment.broken:
             x = tame(points[:, 0], box.left, box.right)
             points = np.stack([x, tame(points[:, 1], box.low, box.high)], axis=1)
+        pieces = np.stack([points[:-1], points[1:]], axis=1)
         live = live_segments(self._result, moment.time)
-        pieces = np.stack([points[:-1], points[1:]], axis=1)[live]
+        live &= np.isfinite(pieces).all(axis=(1, 2))  # NaN: of a rope that broke before
+        pieces = pieces[live]
         thick = self._thick and not moment.broken
         self._rope.set_segments([] if thick else list(pieces))
         self._strands.artist.set_visible(thick)

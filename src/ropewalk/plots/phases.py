@@ -15,6 +15,7 @@ from ropewalk.plots.sight import (
     Floats,
     along,
     good_frames,
+    good_frames_of,
     limits,
     node_index,
     node_name,
@@ -40,7 +41,7 @@ def phase(
     Raises ValueError for a node or an axis that is not there.
     """
     index = telling_nodes(result, 1)[0] if node is None else node_index(result, node)
-    good = good_frames(result)
+    good = good_frames_of(result, result.layout.rope_of(index)[0])
     direction, name = _direction(result, index, axis, good)
     position = along(result.positions[:, index], direction)
     velocity = along(result.velocities[:, index], direction)
@@ -76,7 +77,7 @@ def phase(
     set_title(
         figure, f"{result.scene.name}: phase plane of {node_name(result, index)}", describe(result)
     )
-    set_note(figure, broken_note(result, good))
+    set_note(figure, broken_note(result, good_frames(result)))
     return figure
 
 

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ropewalk.plots.curves import drawable, mark_break, set_limits, time_limits
+from ropewalk.plots.curves import drawable, lone, mark_break, set_limits, time_limits
 from ropewalk.plots.sight import AXES, Floats, good_frames
 from ropewalk.plots.style import (
     COLOURS,
@@ -85,14 +85,15 @@ def _draw_anchor(
     """Draw one anchor's force; only the axes of `parts`, the others are always zero."""
     size = magnitude(force)
     curves = [size, *(force[:, k] for k in range(3) if parts[k])]
-    axes.plot(
-        result.time, drawable(size, good, curves), color="black", linewidth=1.6, label="magnitude"
-    )
+    black = {"color": "black", "linewidth": 1.6, "label": "magnitude", **lone(result)}
+    axes.plot(result.time, drawable(size, good, curves), **black)
     for k in range(3):
         if not parts[k]:
             continue
         curve = drawable(force[:, k], good, curves)
-        axes.plot(result.time, curve, color=COLOURS[k], linewidth=1.0, label=AXES[k])
+        axes.plot(
+            result.time, curve, color=COLOURS[k], linewidth=1.0, label=AXES[k], **lone(result)
+        )
     largest = set_limits(axes, curves, good)
     _finish(axes, result, largest, good)
     release = result.scene.anchors[row].release_time
@@ -118,7 +119,7 @@ def _draw_magnitudes(
     order = np.argsort(-_known(sizes[:good]).max(axis=0), kind="stable")[:_LINES]
     for number, row in enumerate(sorted(order)):
         curve = drawable(sizes[:, row], good, [sizes[:, i] for i in order])
-        axes.plot(result.time, curve, label=names[row], **line_style(number))
+        axes.plot(result.time, curve, label=names[row], **line_style(number), **lone(result))
     largest = set_limits(axes, [sizes[:, row] for row in order], good)
     _finish(axes, result, largest, good)
     axes.set_xlabel("time [s]")

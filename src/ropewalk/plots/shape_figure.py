@@ -26,11 +26,12 @@ from ropewalk.plots.canvas import (
     magnification_note,
     prepare,
 )
-from ropewalk.plots.given_forces import draw_forces, given_notes
+from ropewalk.plots.given_forces import draw_forces, given_notes, with_room
 from ropewalk.plots.outlines import outlines_of
 from ropewalk.plots.sight import (
     Floats,
     frame_at,
+    gone_ropes,
     held_nodes,
     load_nodes,
     positions_of,
@@ -72,7 +73,8 @@ def shape(
     frames = sorted(set(frames))
     if not frames:
         raise ValueError("times: () - must be at least one time")
-    seen = backdrop(result, plane, frames)
+    good = [frame for frame in frames if frame < whole.good]
+    seen = with_room(result, backdrop(result, plane, frames), good[-1:])
     upright = _upright(result, seen, frames)
     figure = new_figure(*_size(seen, upright))
     axes = figure.add_subplot()
@@ -84,7 +86,9 @@ def shape(
     set_title(figure, f"{result.scene.name}: shape", describe(result))
     shown = "the broken shapes leave the picture" if frames[-1] >= seen.good else "not drawn here"
     notes = broken_note(result, whole.good, clipped=shown) + magnification_note(seen.box)
-    notes += sight_notes(result, seen.view) + given_notes(result.scene)
+    notes += sight_notes(result, seen.view)
+    gone = gone_ropes(result, good[-1]) if good else ()
+    notes += given_notes(result.scene, gone=gone, arrows=bool(good) and not upright)
     if upright:
         notes.append("The shapes are set side by side; each is upright above its time.")
     set_note(figure, notes)
@@ -240,7 +244,7 @@ def _draw_upright(axes: Axes, result: Result, seen: Backdrop, frames: list[int])
     for column, frame in enumerate(good):
         colour = colours(column / max(len(good) - 1, 1))
         points = view.project(shown_positions(result, frame))
-        middle = 0.5 * (points[:, 0].min() + points[:, 0].max())
+        middle = 0.5 * (np.nanmin(points[:, 0]) + np.nanmax(points[:, 0]))  # NaN: broke before
         for line in rope_lines(result, points, float(result.time[frame])):
             axes.plot(
                 line[:, 0] - middle + column, line[:, 1], color=colour, marker=".", markersize=4.0

@@ -147,11 +147,23 @@ def positions_of(result: Result, frames: slice) -> Floats:
 def shown_positions(result: Result, frame: int) -> Floats:
     """Return the positions of a frame [m], (n, 3); NaN for ropes that broke before it."""
     points = np.array(positions_of(result, slice(frame, frame + 1))[0])
-    for end in result.ends:
-        for name in end.ropes if end.frames <= frame < good_frames(result) else ():
-            span = result.layout.span(name)
-            points[span.first : span.last + 1] = np.nan
+    for name in gone_ropes(result, frame):
+        span = result.layout.span(name)
+        points[span.first : span.last + 1] = np.nan
     return points
+
+
+def good_frames_of(result: Result, rope: str) -> int:
+    """Return the number of frames before a rope broke."""
+    own = [end.frames for end in result.ends if rope in end.ropes]
+    return min([good_frames(result), *own])
+
+
+def gone_ropes(result: Result, frame: int) -> set[str]:
+    """Return the ropes that broke before a frame, while others went on."""
+    if frame >= good_frames(result):
+        return set()
+    return {name for end in result.ends if end.frames <= frame for name in end.ropes}
 
 
 def good_frames(result: Result) -> int:

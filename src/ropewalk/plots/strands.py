@@ -85,9 +85,10 @@ def ribbon(points: Floats, live: NDArray[np.bool_], half: Floats) -> Floats:
     bend[:-1] += own
     bend[1:] += own
     size = np.linalg.norm(bend, axis=1, keepdims=True)
+    there = live & (length[:, 0] > 0.0)  # rope on a drum lies on one point, and has no way
     both = np.zeros(len(points))
-    both[:-1] += live
-    both[1:] += live
+    both[:-1] += there
+    both[1:] += there
     # In a bend the middle of both ways is shorter than they are: the ribbon's edge is farther out.
     mitre = np.minimum(both[:, None] / np.maximum(size, 1e-12), _MITRE)
     middle = mitre * bend / np.maximum(size, 1e-12)

@@ -11,7 +11,7 @@ from matplotlib.colors import Colormap, LinearSegmentedColormap, Normalize
 from matplotlib.figure import Figure
 
 from ropewalk.lowering import Span
-from ropewalk.plots.arcs import IN_SEGMENTS, arc_label, segment_arcs
+from ropewalk.plots.arcs import IN_SEGMENTS, arc_label, laid_lengths, segment_arcs
 from ropewalk.plots.curves import mark_break, time_limits
 from ropewalk.plots.margin_notes import margin_notes
 from ropewalk.plots.sight import Floats, frame_at, good_frames, limits
@@ -132,7 +132,7 @@ def tension_map(result: Result, rope: int) -> Map:
         length = result.scene.ropes[rope].length_unstretched
         label = "arc length [m]" if length else IN_SEGMENTS
         return Map(layers[0], layers[1], layers[2], length or float(span.nodes - 1), label)
-    rest = result.rest_length[:, span.first : span.last]
+    rest = laid_lengths(result, span.name)
     turned = "start" in winches
     if turned:
         layers, rest = [values[:, ::-1] for values in layers], rest[:, ::-1]
@@ -294,15 +294,19 @@ def _draw_break(axes: Axes, result: Result, past: Torn, shown: list[int]) -> str
     span = max(spans, key=lambda one: float(jump[:, one.first : one.last].max()))
     rope = result.rope(span.name)
     live = rope.live[last]
-    arc = segment_arcs(result, last, span.name)[live]
-    curves = [rope.tension[last][live], *after[:, span.first : span.last][:, live]]
+    arc = segment_arcs(result, last, span.name)
+    curves = [
+        np.where(live, curve, np.nan)  # a line would go over what has parted
+        for curve in (rope.tension[last], *after[:, span.first : span.last])
+    ]
     times = [result.time[last], *past.time[past.shapes]]
     for number, (time, curve) in enumerate(zip(times, curves, strict=True)):
         broken = (
             {"color": BROKEN, "linestyle": DASHES[number - 1]} if number else {"color": COLOURS[0]}
         )
         axes.plot(arc, curve, label=f"{time:.6g} s{' (broken)' if number else ''}", **broken)  # type: ignore[arg-type]
-    axes.set_xlim(float(arc[0]), float(arc[-1]) if arc[-1] > arc[0] else float(arc[0]) + 1.0)
+    first, end = float(arc[live][0]), float(arc[live][-1])
+    axes.set_xlim(first, end if end > first else first + 1.0)
     axes.set_ylim(*limits(curves))
     axes.set_xlabel(arc_label(result, [span.name]))
     axes.legend(ncols=3, fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
