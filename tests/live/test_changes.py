@@ -221,3 +221,26 @@ def test_pieces_of_a_copy_keep_their_own_part(own: dict[str, Any], change: tuple
     after = [PARAMETERS[name].get(copy.scene, i) for i in range(2)]
     assert after == pytest.approx(before, rel=1e-9)
     assert PARAMETERS[change[0]].get(copy.scene, 0) == pytest.approx(change[1])
+
+
+def test_a_pin_takes_no_anchor_away_from_a_copy() -> None:
+    """Of fewer segments the end, which `left` moved, was held by a pin in its place."""
+    session = Session(slack_rope(8))
+    do(session, "compare", variants=[{"changes": {"segments": 2}}])
+    for node in (1, 5, 4):
+        do(session, "pin", node=node)
+    names = [[one.name for one in track.scene.anchors] for track in session.tracks]
+    assert names == [["left", "right", "pin1", "pin2", "pin3"], ["left", "right", "pin2"]]
+    do(session, "unpin", anchor="pin2")
+    names = [[one.name for one in track.scene.anchors] for track in session.tracks]
+    assert names == [["left", "right", "pin1", "pin3"], ["left", "right"]]
+
+
+def test_a_comparison_is_reset_though_a_copy_has_a_step_of_its_own_again() -> None:
+    """The word "auto" was kept for its step: every reset was refused from then on."""
+    session = Session(slack_rope(8))
+    do(session, "compare", variants=[{"changes": {"time_step": 1e-4}}])
+    do(session, "set", name="time_step", value="auto", variant=1)
+    step = session.tracks[1].dt
+    do(session, "reset")
+    assert session.tracks[1].dt == step != session.main.dt

@@ -11,7 +11,7 @@ from live.drive import do, r4, refused, slack_rope
 from ropewalk.live.hands import FASTEST, soft_spring
 from ropewalk.live.keeper import Keeper
 from ropewalk.live.relive import relive
-from ropewalk.live.session import Session
+from ropewalk.live.session import Break, Session
 from ropewalk.live.undo import LONGEST
 
 DONE = [
@@ -80,14 +80,28 @@ def test_what_was_done_after_a_moment_gone_back_to_is_not_undone() -> None:
     assert session.undo.word == ""
 
 
-def test_undo_lets_go_of_what_was_held_then() -> None:
+@pytest.mark.parametrize("way", ["undo", "back", "remedy"])
+def test_who_goes_back_lets_go_of_what_was_held_then(way: str) -> None:
+    """A hand of the past pulled on, though the page that it was of had let go, or was gone."""
     session = Session(slack_rope())
     do(session, "grab", node=20, target=[4.0, 0.0, 1.0])
+    do(session, "move", anchor="left", velocity=[-1.0, 0.0, 0.0])
+    do(session, "drag", anchor="right", target=[9.0, 0.0, 1.0])
     session.advance(100)
-    do(session, "cut", segment=5)
-    do(session, "let_go", node=20)
-    do(session, "undo")
-    assert session.main.hands.grabs == []
+    session.remember(clear=True)
+    if way == "undo":
+        do(session, "cut", segment=5)
+    do(session, "let_go")
+    session.advance(500)
+    if way == "remedy":
+        session.broken = Break(0, 1)
+    do(session, way, **{"back": {"seconds": 0.05}, "remedy": {"remedy": "back"}}.get(way, {}))
+    assert session.time == pytest.approx(100 * session.main.dt)
+    hands, anchors = session.main.hands, session.main.simulation.anchors
+    assert (hands.grabs, hands.targets, hands.movers) == ([], {}, {})
+    assert not np.any([one.velocity for one in anchors.values()])
+    session.advance(1)
+    assert not session.main.simulation.applied_forces.any()
 
 
 def test_a_session_with_undo_replays_to_the_same_bits(tmp_path: Path) -> None:

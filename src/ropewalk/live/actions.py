@@ -171,7 +171,8 @@ def pin(session: Session, command: Pin, client: int) -> str:
     name = session.main.holder(command.node)
     if name is not None:
         raise refusal("node", command.node, f"is held by anchor {name!r} already")
-    return _on_node(session, command.node, edits.pin)
+    name = edits.free_name([track.scene for track in session.tracks], "pin")
+    return _on_node(session, command.node, partial(edits.pin, name=name), free=True)
 
 
 def unpin(session: Session, command: Unpin, client: int) -> str:
@@ -363,13 +364,15 @@ def _cut(scene: Scene, layout: Layout, segment: int) -> edits.Edit:
     return edits.cut(scene, layout, segment)
 
 
-def _on_node(session: Session, node: int, make: Callable[..., edits.Edit]) -> str:
-    """Make an edit of a node in all variants that have it."""
+def _on_node(
+    session: Session, node: int, make: Callable[..., edits.Edit], *, free: bool = False
+) -> str:
+    """Make an edit of a node in all variants that have it; with `free`, where no anchor holds it."""
     main, note = session.main.simulation, ""
     nodes = [counterpart(main, track.simulation, node) for track in session.tracks]
     edits.at_node(main.layout, node)
     for track, here in zip(session.tracks, nodes, strict=True):
-        if here is not None:
+        if here is not None and not (free and track.holder(here) is not None):
             note = track.restructure(partial(make, index=here)) or note
     _structured(session)
     return note

@@ -8,8 +8,9 @@ they are put aside for straight ones, which fit any number of nodes.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 import numpy as np
@@ -112,8 +113,14 @@ def at_node(layout: Layout, index: int, path: str = "node") -> tuple[str, int]:
     return rope, node
 
 
-def pin(scene: Scene, layout: Layout, index: int, prefix: str = "pin") -> Edit:
-    """Hold a node where it is, by an anchor that can be moved by hand.
+def free_name(scenes: Iterable[Scene], prefix: str) -> str:
+    """Return the first of `prefix`1, `prefix`2 .. that no anchor of these scenes has."""
+    taken = {anchor.name for scene in scenes for anchor in scene.anchors}
+    return next(name for i in count(1) if (name := f"{prefix}{i}") not in taken)
+
+
+def pin(scene: Scene, layout: Layout, index: int, name: str) -> Edit:
+    """Hold a node where it is, by an anchor of this name that can be moved by hand.
 
     It takes the place of one that has let go of the node.
     """
@@ -122,9 +129,7 @@ def pin(scene: Scene, layout: Layout, index: int, prefix: str = "pin") -> Edit:
         raise refusal("node", index, f"{MOST_ANCHORS} anchors are there already")
     gone = [one for one in scene.anchors if one.rope == rope and scene.anchor_node(one) == node]
     scene = scene.replace(anchors=[one for one in scene.anchors if one not in gone])
-    taken = {anchor.name for anchor in scene.anchors}
-    number = next(i for i in range(1, MOST_ANCHORS + 2) if f"{prefix}{i}" not in taken)
-    made = Anchor(name=f"{prefix}{number}", rope=rope, node=node, motion=Hand())
+    made = Anchor(name=name, rope=rope, node=node, motion=Hand())
     return Edit(scene.replace(anchors=[*scene.anchors, made]), same_nodes(layout))
 
 

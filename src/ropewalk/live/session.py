@@ -182,7 +182,7 @@ class Session:
         return Moment(self.time, saved, about)
 
     def go_back(self, moment: Moment) -> None:
-        """Go back to a moment of the history."""
+        """Go back to a moment of the history. Hands let go."""
         self._put(moment)
         self.history.forget_after(moment)
         self.undo.forget_after(moment.time)
@@ -193,9 +193,6 @@ class Session:
         if moment is None:
             return False
         self._put(moment)
-        for track in self.tracks:  # what they held then they may have let go of since
-            track.hands.let_go(track.simulation, None)
-            track.hands.stop(track.simulation, None)
         self.broken = None
         self.remember(clear=True)
         return True
@@ -206,6 +203,9 @@ class Session:
         self.changes, self.tracks = dict(changes), list(tracks)
         for track, saved in zip(self.tracks, moment.tracks, strict=True):
             track.restore(saved)
+            # What they held then they may have let go of since.
+            track.hands.let_go(track.simulation, None)
+            track.hands.stop(track.simulation, None)
         self.main.count = count
         self.changed()
 
@@ -275,7 +275,7 @@ class Session:
                 elif number > 0:
                     track.changes.pop(name, None)
                     if rope is None and all(same(its, wanted[0][1]) for _, its in wanted):
-                        track.changes[name] = wanted[0][1]
+                        track.changes[name] = _resolved(name, wanted[0][1], track.scene)
                 if track.scene is not before:
                     self.changed()
         known = rope is None or rope in [one.name for one in self.loaded.ropes]

@@ -79,8 +79,8 @@ def begin(track: Track, nodes: tuple[int, int], owner: int) -> str:
     names, hands = [], []
     for node, holder in zip(nodes, held, strict=True):
         if holder is None:
-            track.restructure(partial(edits.pin, index=node, prefix="tie"))
-            holder = track.scene.anchors[-1].name
+            holder = edits.free_name([track.scene], "tie")
+            track.restructure(partial(edits.pin, index=node, name=holder))
             hands.append(holder)
         names.append(holder)
     pull = Pull(
