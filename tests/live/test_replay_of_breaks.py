@@ -10,7 +10,7 @@ import pytest
 import ropewalk as rw
 import runs
 from ropewalk.live.frame import BROKEN, END, HEADER
-from ropewalk.live.packed_run import record
+from ropewalk.live.packed_run import _about, record
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.record.beyond import until_torn
 from ropewalk.record.result import Result
@@ -80,3 +80,16 @@ def test_a_page_to_share_has_them_and_keeps_its_digits(broken: Result) -> None:
     assert page.tension_error < np.ptp(broken.tension) / 4000
     assert past.tension is not None
     assert np.ptp(past.tension) > 2 * np.ptp(broken.tension)
+
+
+@pytest.mark.parametrize(
+    ("frames", "left_out", "single", "said"),
+    [
+        (1, 1, 1, ["1 frame, 0 s", "has 1 single step.", "The last frame, after it broke, lies"]),
+        (9, 3, 2, ["9 frames, 8 s", "has 2 single steps.", "last 3 frames, after it broke, lie "]),
+    ],
+)
+def test_one_is_not_several(frames: int, left_out: int, single: int, said: list[str]) -> None:
+    times = np.arange(float(frames + single))
+    text = _about(times, left_out, {"positions": 1e-4, "tension": 1e-2}, single)
+    assert all(one in text for one in said), text

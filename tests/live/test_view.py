@@ -158,3 +158,10 @@ def test_without_the_packages_one_line_says_what_to_install(
     monkeypatch.setattr("ropewalk.live.launch.NEEDS", ("starlette", "no_such_package"))
     with pytest.raises(RunError, match="no_such_package: needed .* pip install no_such_package"):
         slack_rope(5).view()
+
+
+def test_what_is_not_kept_is_not_offered_to_be_saved(options: dict[str, object]) -> None:
+    """The page had it in its menu, and said "Saved in null"."""
+    with slack_rope(5).view(playing=False, **options) as view, Page(view._server) as page:
+        assert "save" not in page.message("hello")["can"]
+        assert "cannot be done here" in page.ask(1, "save")["text"]

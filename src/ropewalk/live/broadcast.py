@@ -81,7 +81,8 @@ class Broadcast:
     @property
     def can(self) -> list[str]:
         """The types of commands that are accepted."""
-        return [name for name in COMMANDS if name not in ("ack", "knot")]
+        without = ["ack", "knot"] if self.on_save is not None else ["ack", "knot", "save"]
+        return [name for name in COMMANDS if name not in without]
 
     # -- commands -----------------------------------------------------------------------
 
@@ -191,8 +192,8 @@ class Broadcast:
         return True
 
     def _save(self, item: Item) -> bool:
-        folder = self.on_save() if self.on_save is not None else None
-        item.reply({"type": "saved", "folder": folder, "replays": folder is not None})
+        assert self.on_save is not None
+        item.reply({"type": "saved", "folder": self.on_save(), "replays": True})
         return True
 
     def _note(self, text: str) -> None:

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from ropewalk.live.keeper import parts
 from ropewalk.live.share import share_run
 from ropewalk.record.errors import InputError, RunError
-from ropewalk.record.export import export
+from ropewalk.record.export import new_file, write_csv
+from ropewalk.record.selection import select
+from ropewalk.record.tables import Table, tables
 from ropewalk.scene import Scene, dumps
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
 
 _TABLES = {"nodes.csv": "positions", "energies.csv": "energy", "tension.csv": "tension"}
 _CSV, _TOML, _HTML = "text/csv; charset=utf-8", "application/toml", "text/html; charset=utf-8"
@@ -63,7 +73,35 @@ class Exports:
             return out, _HTML
         from ropewalk.record.result import Result
 
-        result = Result.open(folder)
-        every = max(1, result.frames * result.nodes // MOST_ROWS)
-        export(result, "csv", out, quantities=(_TABLES[name],), every=every)
+        results = [Result.open(part) for part in parts(folder)]
+        every = max(1, sum(one.frames * one.nodes for one in results) // MOST_ROWS)
+        with new_file(out, overwrite=False) as partial:
+            write_csv(_joined(results, _TABLES[name], every), partial)
         return out, _CSV
+
+
+def _joined(results: Sequence[Result], quantity: str, every: int) -> Table:
+    """Return the table of a quantity through all parts of a session.
+
+    Of more than one part it has the part's number in front, and nothing where a part lacks a column.
+    """
+    found = [
+        (number, table)
+        for number, result in enumerate(results, start=1)
+        for table in tables(result, select(result, [quantity], None, None, every, None), "long")
+    ]
+    if not found:
+        raise InputError("quantities", quantity, "was not recorded in this run")
+    first = found[0][1]
+    if len(results) == 1:
+        return first
+    headers = list(dict.fromkeys(name for _, table in found for name in table.headers))
+
+    def pieces() -> Iterator[list[NDArray[Any]]]:
+        for number, table in found:
+            for columns in table.pieces():
+                known, rows = dict(zip(table.headers, columns, strict=True)), len(columns[0])
+                nothing = np.full(rows, "", dtype=object)
+                yield [np.full(rows, number), *(known.get(name, nothing) for name in headers)]
+
+    return Table(first.name, ["part", *headers], pieces)

@@ -1,13 +1,14 @@
 """Keeping a live session as a run folder: frames as they come, and every command with its step.
 
 The folder is a run like any other: scene, numbers, provenance, events. A part of its own, in the
-folder `part-2` and so on, begins where the arrays or the time are not those of before: after a cut, a
-pin, another number of segments, a reset. The log of the whole session is `events.jsonl` of the first
-part; replayed from its scene it gives the same bits (`relive`).
+folder `part-2` and so on, begins where the arrays, the time or the constants are not those of before: after
+a cut, a pin, another number of segments, a reset, a slider. The log of the whole session is `events.jsonl`
+of the first part; replayed from its scene it gives the same bits (`relive`).
 """
 
 from __future__ import annotations
 
+import math
 import queue
 import threading
 import time
@@ -43,6 +44,8 @@ BYTES_PER_SECOND = (
 CHUNK_FRAMES = 120
 _BYTES_OF_A_NODE = 112  # and its segment, in a frame of all quantities: 72 and 40
 MOST_PARTS = 1000
+MOST_BY_CONSTANTS = 500  # parts beyond which changed constants alone begin none
+SETTLED = 0.5  # [s] simulated from one part to the next, where constants change on and on
 _JUMPS = frozenset(["reset", "scene", "back", "undo", "remedy"])
 _LAST = 600.0  # [s] for what is left to be written at the end, of a machine that is very slow
 
@@ -79,6 +82,8 @@ class Keeper:
         self._every = 1
         self._count = 0
         self._layout: Layout | None = None
+        self._scene = session.main.scene  # with which the part began
+        self._changed = -math.inf  # [s] when constants alone last began a part
         self._taken: dict[str, tuple[bool, bool]] = {}  # bodies that hands have moved, turned
         self._parted: tuple[Parted, ...] = ()  # what was told of
         self._held = ExitStack()
@@ -116,7 +121,8 @@ class Keeper:
         self._parted = parted
         if new:
             self._put(lambda: self._tell_parted(new))
-        if simulation.layout != self._layout:  # what has parted is two ropes now
+        torn = simulation.layout != self._layout  # what has parted is two ropes now
+        if torn or self._has_other_constants():
             self._new_part(Frozen.of(session))
             return
         self._count += 1
@@ -124,17 +130,25 @@ class Keeper:
             block, here = session.main.frame(), spots(simulation)
             self._put(lambda: self._add(block, here))
 
+    def _has_other_constants(self) -> bool:
+        """Tell whether constants, loads, joints are not the part's: a slider makes few parts only."""
+        now = self.session.time
+        if self.session.main.scene is self._scene or abs(now - self._changed) < SETTLED:
+            return False
+        self._changed = now
+        return self._parts < MOST_BY_CONSTANTS
+
     def _new_part(self, frozen: Frozen) -> None:
         if self._parts >= MOST_PARTS or self.failure:
             return
         layout, plan = self.session.main.simulation.layout, self.session.main.simulation.plan
         block, here = self.session.main.frame(), spots(self.session.main.simulation)
-        self._set_rate(layout)
+        self._begins(layout)
         self._taken = {name: one.taken for name, one in here.items()}
         self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block, here))
 
-    def _set_rate(self, layout: Layout) -> None:
-        self._layout = layout
+    def _begins(self, layout: Layout) -> None:
+        self._layout, self._scene = layout, self.session.main.scene
         frame = max(_BYTES_OF_A_NODE * layout.nodes, 1)
         rate = self.session.loaded.run.frame_rate
         self._every = max(1, round(frame * rate / BYTES_PER_SECOND))
@@ -143,7 +157,7 @@ class Keeper:
 
     def _begin_part(self, scene: Scene) -> None:
         simulation = self.session.main.simulation
-        self._set_rate(simulation.layout)
+        self._begins(simulation.layout)
         here = spots(simulation)
         self._taken = {name: one.taken for name, one in here.items()}
         self._parted = self.session.main.parted

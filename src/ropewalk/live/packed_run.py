@@ -15,6 +15,7 @@ from ropewalk.live.packing import LARGEST, Packed, pack
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
+from ropewalk.words.counts import counted
 
 # Half of a step is the error: 0.95e-5 of the longest rope, or 0.095 mm where that is less.
 _OF_LENGTH, _METRES = 1.9e-5, 1.9e-4
@@ -190,15 +191,18 @@ def _about(times: Floats, left_out: int, errors: dict[str, float], single: int) 
     duration = float(times[-1] - times[0])
     rate = (len(times) - 1) / duration if duration > 0.0 else 0.0
     text = (
-        f"{len(times)} frames, {duration:.4g} s"
+        f"{counted(len(times), 'frame')}, {duration:.4g} s"
         + (f" at {rate:.3g} frames per second" if rate else "")
         + f"; positions are rounded to within {_length(errors['positions'])}, "
         f"tension to within {_figures(errors['tension'])} N."
     )
     if single:
-        text += f" It broke; past the last good frame the page has single steps, {single} of them."
+        text += (
+            f" It broke; past the last good frame the page has {counted(single, 'single step')}."
+        )
     if left_out:
-        text += f" The last {left_out} frames, after it broke, lie too far away to be shown."
+        last, lie = ("frame", "lies") if left_out == 1 else (f"{left_out} frames", "lie")
+        text += f" The last {last}, after it broke, {lie} too far away to be shown."
     return text
 
 

@@ -85,7 +85,7 @@ def export(
 def _write_tables(found: list[Table], to: str, out: Path, overwrite: bool) -> tuple[Path, ...]:
     if not found:
         raise InputError("quantities", (), "none of them was recorded in this run")
-    write = _write_csv if to == "csv" else _parquet_writer(out)
+    write = write_csv if to == "csv" else _parquet_writer(out)
     if out.suffix == f".{to}":
         if len(found) > 1:
             names = ", ".join(table.name for table in found)
@@ -125,7 +125,8 @@ def new_file(path: Path, overwrite: bool) -> Iterator[Path]:
             partial.unlink()
 
 
-def _write_csv(table: Table, path: Path) -> None:
+def write_csv(table: Table, path: Path) -> None:
+    """Write a table as CSV, its headers first. Raises OSError."""
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(table.headers)

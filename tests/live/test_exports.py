@@ -1,0 +1,51 @@
+"""Tables and pages that are downloaded hold all of a session."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from live.drive import do, slack_rope
+from ropewalk.live.exports import Exports
+from ropewalk.live.keeper import Keeper, parts
+from ropewalk.live.session import Session
+from ropewalk.record.result import Result
+
+
+def rows(folder: Path, name: str, into: Path) -> list[dict[str, str]]:
+    into.mkdir(exist_ok=True)
+    path, _ = Exports(None, lambda: folder).make(name, into)
+    with open(path, encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.mark.parametrize("name", ["nodes.csv", "energies.csv", "tension.csv"])
+def test_a_table_goes_on_after_a_cut_and_a_reset(tmp_path: Path, name: str) -> None:
+    """It ended at the first of them, without a word."""
+    session = Session(slack_rope(4))
+    keeper = Keeper(session, tmp_path / "run")
+    kinds: list[tuple[str, dict[str, Any]]] = [("cut", {"segment": 1}), ("reset", {}), ("", {})]
+    for kind, keys in kinds:
+        session.advance(3 * session.frame_steps)
+        if kind:
+            do(session, kind, **keys)
+    found = rows(keeper.flush(), name, tmp_path / "made")
+    results = [Result.open(one) for one in parts(tmp_path / "run")]
+    each = {"nodes.csv": [5, 5, 5], "energies.csv": [1, 1, 1], "tension.csv": [4, 3, 4]}[name]
+    counts = [sum(int(row["part"]) == number for row in found) for number in (1, 2, 3)]
+    assert counts == [result.frames * count for result, count in zip(results, each, strict=True)]
+    assert float(found[-1]["time [s]"]) == pytest.approx(results[-1].time[-1])
+    assert all(row["time [s]"] for row in found)
+    keeper.close()
+
+
+def test_a_table_of_one_part_has_no_numbers_of_parts(tmp_path: Path) -> None:
+    session = Session(slack_rope(4))
+    keeper = Keeper(session, tmp_path / "run")
+    session.advance(session.frame_steps)
+    found = rows(keeper.flush(), "nodes.csv", tmp_path / "made")
+    assert list(found[0]) == ["time [s]", "rope", "node", "x [m]", "y [m]", "z [m]"]
+    keeper.close()
