@@ -3,6 +3,7 @@
 import { ROPES, fromHex } from "./view/colours.js";
 import { quantity } from "./view/range.js";
 import { dot, plus, vector } from "./view/vector.js";
+import { alike } from "./input/counterpart.js";
 import { placeOf } from "./input/pick.js";
 import {
   CONTACT,
@@ -21,6 +22,7 @@ import { Trails, fliers } from "./render/trails.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
 /** @typedef {import("./source/protocol.js").Layout} Layout */
+/** @typedef {import("./source/protocol.js").Variant} Variant */
 /** @typedef {import("./source/frame.js").Frame} Frame */
 /** @typedef {import("./render/view.js").Marker} Marker */
 /** @typedef {import("./render/view.js").Arrow} Arrow */
@@ -55,6 +57,7 @@ export class Marks {
     /** @type {Trails | null} */ this.trails = null;
     /** @type {Set<number>} nodes of the first variant */ this.followed = new Set();
     this.scene = ""; // whose they are
+    /** @type {Variant | null} */ this.copy = null; // in which they are so numbered
     /** What has a ring: what lies under the pointer, or where the hand is. @type {Hit | Vector | null} */
     this.hover = null;
     /** What this page's pointers hold: drawn where the pointers are, however late ropes follow.
@@ -87,11 +90,10 @@ export class Marks {
     const [copy] = layout.variants;
     const held = layout.obstacles?.length ? [] : copy.anchors.map(({ index }) => index); // bodies bear ropes
     this.hanging = new Set(held.filter((index) => hasTail(copy, index)));
-    const most = copy.nodes;
     const scene = `${layout.scene.name} ${layout.scene.preset}`;
     if (scene !== this.scene) this.followed = new Set(fliers(layout));
-    this.scene = scene;
-    for (const node of this.followed) if (node >= most) this.followed.delete(node);
+    else if (this.copy) this.followed = alike(this.followed, this.copy, copy);
+    [this.scene, this.copy] = [scene, copy];
     this.resetTrails();
     this.strongest = this.firmest = 0;
     this.most = [];

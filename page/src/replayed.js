@@ -9,9 +9,8 @@ import { readFrame } from "./source/frame.js";
 /** @param {App} app @param {Replay} replay */
 export function connectReplay(app, replay) {
   const past = new Past(app, async (first, count, every, signal) => {
-    const layout = replay.layouts[replay.part];
     const found = await replay.read(first, count, every, signal);
-    return found.map((buffer) => readFrame(buffer, layout));
+    return found.map(({ buffer, layout }) => ({ frame: readFrame(buffer, layout), layout }));
   });
   replay.jumped = () => {
     app.viewport.marks.trails?.clear();

@@ -21,6 +21,7 @@ export class Solids {
     this.viewport = viewport;
     /** @type {Solid[]} */ this.all = [];
     /** Those at time zero. @type {Solid[]} */ this.starts = [];
+    /** Planes that are nothing but floor. @type {Solid[]} */ this.level = [];
     this.time = NaN; // [s] for which those that move are placed
     /** Height of the highest level plane, which is the floor [m]. @type {number | null} */
     this.floor = null;
@@ -48,6 +49,7 @@ export class Solids {
       (one) => !level.includes(one) || one.spin || one.turns || one.wheel !== null,
     );
     this.all = this.starts;
+    this.level = level.filter((one) => !this.starts.includes(one));
     this.version++;
     this.time = NaN;
     this.advance();
@@ -70,9 +72,9 @@ export class Solids {
     this.version++;
   }
 
-  /** A body, of the first copy. @param {string} name */
+  /** A body, of the first copy; or what is the floor. @param {string} name */
   named(name) {
-    return this.all.find((one) => one.name === name) ?? null;
+    return [...this.all, ...this.level].find((one) => one.name === name) ?? null;
   }
 
   /** Where a body's middle is, as the server has it [m]. @param {string} name @returns {Vector | null} */

@@ -106,13 +106,14 @@ export class Viewport {
     this.anchors = new Blend(
       3 * layout.variants.reduce((sum, { anchors }) => sum + anchors.length, 0),
     );
-    this.up = layout.up;
-    this.camera.setUp(layout.up);
     this.gaps.take(layout, -Infinity);
     this.corners = cornersOf(layout);
     this.marks.setLayout(layout);
     const key = `${layout.scene.name} ${layout.scene.preset} ${layout.variants.length > 1 && this.apart}`;
-    if (key !== this.sceneKey) {
+    if (key === this.sceneKey) this.follow(layout);
+    else {
+      this.up = layout.up;
+      this.camera.setUp(layout.up);
       this.sceneKey = key;
       this.lookPending = true;
       this.range.fresh = true;

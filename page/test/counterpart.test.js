@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { ofFirst } from "../src/input/counterpart.js";
+import { alike, ofFirst } from "../src/input/counterpart.js";
 import { Hand } from "../src/input/hand.js";
 import { Tools } from "../src/panels/tools.js";
 
@@ -54,4 +54,15 @@ test("what is pressed on a copy is told as the first has it", () => {
     { type: "load", node: 20, mass: 2 },
     { type: "let_go", node: 20, velocity: null },
   ]);
+});
+
+test("a node that is followed is the same place once there are more or fewer", () => {
+  const [before, finer, other] = layoutOf([[40, 10], [80, 10], [80, 5]]).variants; // prettier-ignore
+  for (const [one, nodes] of [before, finer, other].map((one) => [one, one.ropes[1].first + one.ropes[1].nodes])) one.nodes = nodes; // prettier-ignore
+  assert.deepEqual([...alike(new Set([20, 46]), before, finer)], [40, 86]); // not of the first rope now
+  assert.deepEqual([...alike(new Set([86]), finer, before)], [46]);
+  assert.deepEqual([...alike(new Set([91]), finer, other)], [86]);
+  const cut = { nodes: 52, ropes: [{ ...before.ropes[0], name: "a-1" }, before.ropes[1]] };
+  assert.deepEqual([...alike(new Set([20]), before, cut)], [20]); // a piece keeps its numbers
+  assert.deepEqual([...alike(new Set([60]), finer, { nodes: 5, ropes: [] })], []);
 });

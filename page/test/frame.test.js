@@ -143,3 +143,11 @@ test("gather puts places with their shift and values into the drawn array", () =
   assert.ok(Math.abs(out[7] - 4) < 1e-3);
   assert.equal(out[11], 8);
 });
+
+test("rigid links have no strain, and no end of a range is without end", () => {
+  const rigid = structuredClone(layout);
+  for (const rope of rigid.variants[0].ropes) rope.EA = null;
+  const out = new Float32Array(12);
+  const { low, high } = gather(readFrame(frame(), rigid), rigid, "strain", [[0, 0, 0]], out);
+  assert.deepEqual([low + 0, high + 0, out[11] + 0], [0, 0, 0]);
+});

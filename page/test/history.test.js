@@ -3,6 +3,7 @@ import { test } from "node:test";
 
 import { extremes } from "../src/graphs/plot.js";
 import { History } from "../src/graphs/history.js";
+import { numbered } from "../src/graphs/samples.js";
 
 test("going back in time keeps what was before then, and forgets what came after", () => {
   const history = new History();
@@ -30,4 +31,28 @@ test("a graph's range is that of the numbers that are there", () => {
   const column = (...values) => Float64Array.from(values);
   assert.deepEqual(extremes([column(0, 1, 2), column(NaN, 3, 5), column(-1, 4, NaN)]), [-1, 5]);
   assert.deepEqual(extremes([column(0, 1), column(NaN, NaN)]), [null, null]);
+});
+
+test("a line has no past of another anchor, comparison or place", () => {
+  const layoutOf = (anchors, nodes, ...labels) => ({
+    variants: [
+      { nodes, anchors: anchors.map((name) => ({ name })) },
+      ...labels.map((label) => ({ label })),
+    ],
+  });
+  const history = new History();
+  const fill = (layout) => {
+    history.tell(numbered(layout));
+    const known = [...history.columns.keys()].sort();
+    for (const name of ["kinetic", "force 0", "difference 1", "height 7", "low tension 7"])
+      history.add(history.count, [[name, 1]]);
+    return known;
+  };
+  fill(layoutOf(["left", "right"], 41, "rk4"));
+  const all = ["difference 1", "force 0", "height 7", "kinetic", "low tension 7"];
+  assert.deepEqual(fill(layoutOf(["left", "right"], 41, "rk4")), all);
+  const without = (...gone) => all.filter((name) => !gone.includes(name));
+  assert.deepEqual(fill(layoutOf(["right"], 41, "rk4")), without("force 0"));
+  assert.deepEqual(fill(layoutOf(["right"], 41, "bdf2")), without("difference 1"));
+  assert.deepEqual(fill(layoutOf(["right"], 61, "bdf2")), without("height 7", "low tension 7"));
 });

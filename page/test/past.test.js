@@ -7,6 +7,14 @@ import { History } from "../src/graphs/history.js";
 globalThis.window = globalThis;
 
 const SCALARS = ["kinetic"];
+/** A layout of so many nodes. */
+const layoutOf = (layout, bytes, nodes = 3, names = []) => ({
+  layout,
+  bytes,
+  scalars: SCALARS,
+  up: [0, 0, 1],
+  variants: [{ nodes, anchors: names.map((name) => ({ name })), ropes: [] }],
+});
 
 /** A frame as the graphs read it; `high` says what was seen since the one before. */
 const frameOf = (index, high = 0) => ({
@@ -18,7 +26,7 @@ const frameOf = (index, high = 0) => ({
 
 /** A past of a run whose frame `index` is shown, each frame `bytes` large; what is read is written down. */
 function made({ index, bytes, read }) {
-  const layout = { layout: 1, bytes, scalars: SCALARS, up: [0, 0, 1], variants: [{}] };
+  const layout = layoutOf(1, bytes);
   const history = new History();
   const graphs = { open: true, window: 10, history, take: () => {}, bounds: () => {} };
   const said = [];
@@ -33,7 +41,10 @@ function made({ index, bytes, read }) {
 }
 
 const frames = (first, count, every) =>
-  Array.from({ length: count }, (_, i) => frameOf(first + i * every));
+  Array.from({ length: count }, (_, i) => ({
+    frame: frameOf(first + i * every),
+    layout: layoutOf(1, 200),
+  }));
 
 test("small frames are read at once, all of the last seconds", async () => {
   const { past, asked, graphs } = made({ index: 800, bytes: 200, read: frames });
@@ -82,4 +93,22 @@ test("a past that cannot be read is told", async () => {
   const { past, said } = made({ index: 800, bytes: 200, read });
   await past.fill();
   assert.match(said[0].text, /cannot tell of the time before: frame 7 is damaged\./);
+});
+
+test("the past goes on through other parts of a run, but for what is another thing there", async () => {
+  const [before, now] = [layoutOf(1, 200, 3, ["left"]), layoutOf(2, 200, 3, ["right"])];
+  const read = (first, count, every) =>
+    Array.from({ length: count }, (_, i) => {
+      const frame = frameOf(first + i * every);
+      frame.parts[0].seen.greatestForce = [7];
+      return { frame, layout: first + i * every < 400 ? before : now };
+    });
+  const { past, graphs } = made({ index: 800, bytes: 200, read });
+  past.app.session.layout = now;
+  await past.fill();
+  const { history } = graphs;
+  assert.equal(history.count, 800);
+  const [times, kinetic, force] = history.between(0, 9, ["kinetic", "force 0"]);
+  assert.deepEqual([...new Set(kinetic)], [0]);
+  times.forEach((time, i) => assert.equal(Number.isFinite(force[i]), time >= 4, `${time}`));
 });

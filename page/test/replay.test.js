@@ -28,7 +28,7 @@ class Few {
   }
 
   async read(first, count, every) {
-    return [first, count, every];
+    return Array.from({ length: count }, (_, i) => first + i * every);
   }
 }
 
@@ -45,7 +45,7 @@ async function opened(times, { single = 0, playing = true, parts } = {}) {
     frame: (buffer) => sent.push({ type: "frame", head: new DataView(buffer) }),
     state: (state, text) => sent.push({ type: "state", state, text }),
   });
-  replay.last = 0;
+  replay.last = replay.lastStatus = 0; // the clock of ticks, however late it was opened
   const answer = async (command) => {
     replay.send({ ...command, id: 7 });
     await null;
@@ -190,7 +190,7 @@ test("steps past a break go by slowly", async () => {
   assert.equal(replay.later(1e9), 1.003);
 });
 
-test("a further part has its layout told before its frames; frames of others are not read", async () => {
+test("a further part has its layout told before its frames; frames are read with their layouts", async () => {
   const parts = [5, 6].map((frames) => ({ frames, method: "rk4", dt: 0.001 }));
   const { replay, sent, answer } = await opened(every(0.1, 11), { playing: false, parts });
   await answer({ type: "seek", time: 0.8 });
@@ -199,9 +199,11 @@ test("a further part has its layout told before its frames; frames of others are
   const kinds = sent.map(({ type, layout }) => (type === "layout" ? layout : type));
   assert.ok(kinds.indexOf(2) >= 0);
   assert.equal(kinds.lastIndexOf("frame"), kinds.indexOf(2) + 1);
-  assert.deepEqual(await replay.read(0, 9, 1), [5, 4, 1]);
-  assert.deepEqual(await replay.read(1, 99, 3), [7, 2, 3]); // 7 and 10
-  assert.deepEqual(await replay.read(0, 3, 1), []);
+  const read = async (...which) =>
+    (await replay.read(...which)).map(({ buffer, layout }) => [buffer, layout.layout]);
+  assert.deepEqual(await read(3, 3, 1), [[3, 1], [4, 1], [5, 2]]); // prettier-ignore
+  assert.deepEqual(await read(1, 99, 3), [[1, 1], [4, 1], [7, 2], [10, 2]]); // prettier-ignore
+  assert.deepEqual(await read(11, 3, 1), []);
 });
 
 test("graphs hear of a jump, and not of a step", async () => {

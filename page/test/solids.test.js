@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { BodyHand } from "../src/input/body.js";
+import { BodyHand, BodyKeys, pickBody } from "../src/input/body.js";
 import { hullOf } from "../src/render/canvas/solids.js";
 import { Camera } from "../src/view/camera.js";
 import {
@@ -219,4 +219,38 @@ test("a body of a replay's later part moves by the clock of that part", () => {
   solids.take(layout, here);
   assert.ok(Math.abs(solids.all[0].center[0] - 0.2) < 1e-12);
   assert.ok(Math.abs(solids.turns()[0] - 0.4) < 1e-12);
+});
+
+/** A viewport over some bodies, and what is sent from it. */
+function over(...obstacles) {
+  const sent = [];
+  const layout = { up: [0, 1, 0], scalars: [], obstacles, view: { radius: 1 } };
+  const session = { on() {}, can: () => true, send: (command) => sent.push(command), status: null };
+  const camera = new Camera();
+  camera.setUp([0, 1, 0]);
+  camera.resize(900, 600);
+  camera.set({ target: [0, 0, 0], distance: 5, azimuth: 0, elevation: 0 });
+  const viewport = { session: { ...session, layout, frame: null }, camera, shifts: here };
+  viewport.solids = new Solids(viewport);
+  viewport.solids.take(layout, here);
+  return { viewport, sent };
+}
+
+test("what its weight turns is not taken: the view turns, or what is behind it is taken", () => {
+  const ball = { ...BAR, kind: "sphere", size: [0.5, 0, 0, 0] };
+  const { viewport } = over({ ...ball, name: "free", movable: true });
+  assert.equal(pickBody(viewport, 450, 300)?.obstacle, "free");
+  const heavy = over({ ...ball, name: "heavy", movable: false });
+  assert.equal(pickBody(heavy.viewport, 450, 300), null);
+});
+
+test("a floor is led by keys, though it is drawn as no body", () => {
+  const floor = { ...BAR, name: "floor", kind: "plane", center: [0, -1, 0], size: [0, 0, 0, 0] };
+  const { viewport, sent } = over({ ...floor, movable: true, turnable: true });
+  assert.deepEqual([viewport.solids.all, viewport.solids.floor], [[], -1]);
+  assert.deepEqual(viewport.solids.base("floor"), [0, -1, 0]);
+  assert.equal(new BodyKeys(viewport).press("floor", "ArrowUp"), true);
+  assert.equal(sent[0].obstacle, "floor");
+  assert.ok(sent[0].target[1] > -1);
+  assert.equal(pickBody(viewport, 450, 500), null);
 });

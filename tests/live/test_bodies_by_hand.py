@@ -131,3 +131,21 @@ def test_pages_are_told_how_it_moves() -> None:
     moving = describe.obstacles(session)
     assert moving[0]["motion"]["kind"] == "velocity"
     assert [row[1] for row in moving[1]["turns"]] == pytest.approx([0.0, 0.4])
+
+
+def test_what_its_weight_turns_is_led_nowhere() -> None:
+    """It was answered with an error of the program's own."""
+    swing = """
+[[obstacle]]
+name = "gate"
+kind = "box"
+center = [0, 0, 1]
+half_sizes = [0.2, 0.2, 0.2]
+edge_radius = 0.02
+spin = { free = true, pivot = [0, 0, 1.3], inertia = 0.2, mass = 1.0, center_of_mass = [0, 0, 1] }
+"""
+    session = Session(loads(ROPE + TABLE + swing))
+    assert "its weight turns it" in refused(session, "obstacle", obstacle="gate", target=(1, 0, 1))
+    assert "turns freely" in refused(session, "obstacle", obstacle="gate", angle=1.0)
+    assert [one["movable"] for one in describe.obstacles(session)] == [True, True, False]
+    assert not session.main.simulation.obstacles["gate"].moves

@@ -6,7 +6,7 @@ import { BROKEN, PLAYING } from "../source/frame.js";
 import { History } from "./history.js";
 import { PhasePlane } from "./phase.js";
 import { Plot } from "./plot.js";
-import { samplesOf } from "./samples.js";
+import { numbered, samplesOf } from "./samples.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/frame.js").Frame} Frame */
@@ -127,7 +127,10 @@ export class Graphs {
       matchMedia(ONE).matches ? ["energies"] : ["energies", "tension", "motion"],
     );
     viewport.session.on("frame", (frame) => this.take(frame));
-    viewport.session.on("layout", () => this.rebuild());
+    viewport.session.on("layout", (layout) => {
+      this.history.tell(numbered(layout));
+      this.rebuild();
+    });
     viewport.session.on("status", () => this.bounds());
     new ResizeObserver(() => this.resize()).observe(this.plots);
     this.plots.addEventListener("wheel", (event) => this.wheel(event), { passive: false });

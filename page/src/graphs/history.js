@@ -12,11 +12,22 @@ export class History {
     this.time = new Float64Array(2 * KEPT);
     /** @type {Map<string, Float64Array>} */
     this.columns = new Map();
+    /** @type {string[]} */ this.of = []; // what numbers in names stand for
   }
 
   clear() {
     this.count = this.start = 0;
     this.columns.clear();
+  }
+
+  /** Forget what columns have of something that their names stand for no more.
+   * @param {[RegExp, string][]} now what is like that, and what it is of */
+  tell(now) {
+    for (const [k, [names, of]] of now.entries()) {
+      if (of === this.of[k]) continue;
+      this.of[k] = of;
+      for (const name of this.columns.keys()) if (names.test(name)) this.columns.delete(name);
+    }
   }
 
   /** Add a sample; names that were not there before are NaN in the past.

@@ -2,14 +2,15 @@
 
 import { BROKEN } from "../source/frame.js";
 import { wordsOf } from "../source/replay.js";
-import { samplesOf } from "./samples.js";
+import { numbered, samplesOf } from "./samples.js";
 
 /** @typedef {import("../app.js").App} App */
 /** @typedef {import("../source/frame.js").Frame} Frame */
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {{time: number, values: [string, number][]}} Sample */
-/** Reads frames `first`, `first + every`, ...; only those of the layout that is shown.
- * @typedef {(first: number, count: number, every: number, signal: AbortSignal) => Promise<Frame[]>} Read */
+/** Reads frames `first`, `first + every`, ..., each with its layout.
+ * @typedef {(first: number, count: number, every: number, signal: AbortSignal) =>
+ *   Promise<{frame: Frame, layout: Layout}[]>} Read */
 
 const FINE = 900; // samples at most
 const COARSE = 600;
@@ -90,11 +91,22 @@ export class Past {
       const left = Math.ceil((end - at) / every);
       const frames = await this.read(at, Math.min(piece, left), every, signal);
       if (signal.aborted) throw signal.reason;
-      for (const frame of frames) {
+      for (const { frame, layout: its } of frames) {
         if (frame.flags & BROKEN) continue;
-        found.push({ time: frame.time, values: samplesOf(layout, frame, nodes) });
+        found.push({ time: frame.time, values: samplesFor(layout, its, frame, nodes) });
       }
     }
     return found;
   }
+}
+
+/** What a frame of another layout adds to the graphs of one: not what its names stand for in that one only.
+ * @param {Layout} layout @param {Layout} its @param {Frame} frame @param {number[]} nodes
+ * @returns {[string, number][]} */
+function samplesFor(layout, its, frame, nodes) {
+  if (its.layout === layout.layout) return samplesOf(layout, frame, nodes);
+  const then = numbered(its);
+  const others = numbered(layout).filter(([, of], k) => of !== then[k][1]);
+  const there = nodes.filter((node) => node < its.variants[0].nodes);
+  return samplesOf(its, frame, there).filter(([name]) => !others.some(([one]) => one.test(name)));
 }

@@ -38,6 +38,16 @@ export function samplesOf(layout, frame, nodes) {
   return values;
 }
 
+/** What columns that are told by a number are of, by what their names are like: that of another layout may be
+ * another anchor, copy or place. @param {Layout} layout @returns {[RegExp, string][]} */
+export function numbered({ variants: [first, ...others] }) {
+  return [
+    [/^force \d+$/, JSON.stringify(first.anchors.map(({ name }) => name))],
+    [/^difference \d+$/, JSON.stringify(others.map(({ label }) => label))],
+    [/(height|speed|tension) \d+$/, String(first.nodes)],
+  ];
+}
+
 /** The segment after a node, or before it at a rope's end. @param {Layout} layout @param {number} node */
 export function segmentAt(layout, node) {
   for (const { first, nodes } of layout.variants[0].ropes) {

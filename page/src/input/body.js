@@ -26,7 +26,8 @@ export function pickBody(viewport, px, py) {
   /** @type {BodyHit | null} */
   let best = null;
   for (const solid of viewport.solids.all) {
-    const far = Number.isFinite(solid.reach) ? meets(solid, camera.eye, way) : null;
+    const takes = Number.isFinite(solid.reach) && movable(viewport, solid.name);
+    const far = takes ? meets(solid, camera.eye, way) : null;
     if (far === null || far >= nearest) continue;
     nearest = far;
     const place = plus(camera.eye, way, far);
@@ -38,6 +39,10 @@ export function pickBody(viewport, px, py) {
 /** Whether a hand can turn it. @param {Viewport} viewport @param {string} name */
 export const turnable = (viewport, name) =>
   (viewport.session.layout?.obstacles ?? []).some((one) => one.name === name && one.turnable);
+
+/** Whether a hand can move it. @param {Viewport} viewport @param {string} name */
+export const movable = (viewport, name) =>
+  (viewport.session.layout?.obstacles ?? []).some((one) => one.name === name && one.movable);
 
 /** A stroke on a body: like a `Hand` for what pointers ask of it. */
 export class BodyHand {

@@ -13,6 +13,10 @@ import { placeOf } from "./pick.js";
 
 const BETWEEN = 8; // places on a rope, its ends not counted
 const MOST = 40;
+const LITTLE = 1e-9; // what rounding leaves of nothing [N], [m]
+
+/** A quantity, in which what rounding leaves of nothing is nothing. @param {number} value @param {string} unit */
+const heard = (value, unit) => quantity(Math.abs(value) < LITTLE ? 0 : value, unit);
 
 /** Where Tab stops: anchors that hold, loads, and some nodes of each rope, from end to end.
  * @param {Layout} layout @param {Frame} frame @returns {Hit[]} */
@@ -60,7 +64,7 @@ export function said(layout, frame, hit) {
   if (hit.kind === "anchor") {
     const a = variant.anchors.findIndex(({ name }) => name === hit.anchor);
     const force = Math.hypot(...part.anchors.subarray(10 * a + 6, 10 * a + 9));
-    return `Anchor ${hit.anchor}, force ${quantity(force, "N")}`;
+    return `Anchor ${hit.anchor}, force ${heard(force, "N")}`;
   }
   const rope = variant.ropes.find(({ name }) => name === hit.rope);
   const of = rope ? `Node ${hit.node - rope.zero} of ${rope.name}` : `Node ${hit.node}`;
@@ -70,7 +74,7 @@ export function said(layout, frame, hit) {
   const pull = between(layout, part, part.tension[hit.segment], "tension_low", "tension_high");
   const load = mass > 0 ? `, load ${quantity(mass, "kg")}` : "";
   const joint = hit.joint === undefined ? "" : `, tied by joint ${hit.joint}`;
-  return `${of}, tension ${quantity(pull, "N")}${load}${joint}`;
+  return `${of}, tension ${heard(pull, "N")}${load}${joint}`;
 }
 
 /** The state in one sentence. @param {Layout} layout @param {Frame} frame @param {string} state */
@@ -80,7 +84,7 @@ export function sentence(layout, frame, state) {
     (_, a) => part.anchors[10 * a + 9] > 0.5,
   ).length;
   const anchors = holding === 1 ? "one anchor holds" : `${holding} anchors hold`;
-  const most = quantity(scalar(layout, part, "tension_high"), "N");
+  const most = heard(scalar(layout, part, "tension_high"), "N");
   return `${layout.scene.name}: ${state} at ${quantity(frame.time, "s")}, ${anchors}, greatest tension ${most}.`;
 }
 
@@ -121,6 +125,7 @@ export class Walk {
     if (!this.viewport.session.can("obstacle")) return [];
     const common = { variant: 0, node: -1, segment: -1, place: /** @type {any} */ ([0, 0, 0]) };
     return obstacles
+      .filter(({ movable, turnable }) => movable || turnable)
       .slice(0, MOST)
       .map(({ name }) => ({ kind: "obstacle", obstacle: name, ...common }));
   }
@@ -130,7 +135,7 @@ export class Walk {
     const { layout, frame } = this.viewport.session;
     if (!layout || !frame) return "";
     if (hit.kind !== "obstacle") return said(layout, frame, hit);
-    const at = (this.viewport.solids.base(hit.obstacle) ?? []).map((one) => quantity(one, "m"));
+    const at = (this.viewport.solids.base(hit.obstacle) ?? []).map((one) => heard(one, "m"));
     const turns = turnable(this.viewport, hit.obstacle) ? ", Page Up and Page Down turn it" : "";
     return `Obstacle ${hit.obstacle}, at ${at.join(", ")}: arrow keys, Home and End move it${turns}`;
   }

@@ -2,7 +2,7 @@
 
 import { css } from "../view/colours.js";
 import { colourOf } from "../view/copies.js";
-import { scalar } from "../source/frame.js";
+import { PLAYING, scalar } from "../source/frame.js";
 import { quantity, unitText } from "../view/range.js";
 import { dialog, h } from "./dom.js";
 import { fieldText, readNumber } from "./scale.js";
@@ -95,6 +95,8 @@ export class Compare {
   }
 
   open() {
+    const known = new Set(this.choices.map(({ name }) => name)); // another scene has others
+    this.changes = this.changes.filter(({ name }) => known.has(name));
     if (!this.changes.length) this.changes = this.suggested();
     this.fill();
     this.stop.hidden = !this.wasMany;
@@ -223,6 +225,7 @@ export class Compare {
     if (many !== this.wasMany) this.colours(many);
     if (many && !this.wasMany) this.fresh = true;
     this.wasMany = many;
+    this.lastShown = -Infinity; // the lines are empty
     this.lines.replaceChildren(
       ...layout.variants.map((variant, v) => {
         const dot = h("i", {});
@@ -241,7 +244,8 @@ export class Compare {
     const { layout, frame } = this.viewport.session;
     const now = performance.now();
     if (!layout || !frame || this.card.hidden) return;
-    if (now - this.lastShown < 200 && !this.fresh) return;
+    const playing = frame.flags & PLAYING; // else no further frame may come
+    if (playing && now - this.lastShown < 200 && !this.fresh) return;
     this.lastShown = now;
     frame.parts.forEach((part, v) => {
       const output = this.lines.children[v]?.querySelector("output");

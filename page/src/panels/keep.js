@@ -75,8 +75,7 @@ export class Keep {
     this.notices.say(`Making ${name} …`);
     try {
       const answer = await fetch(address);
-      if (!answer.ok)
-        throw new Error(answer.status === 404 ? "it cannot be made here" : await answer.text());
+      if (!answer.ok) throw new Error((await answer.text()).trim() || "it cannot be made here");
       const url = URL.createObjectURL(await answer.blob());
       download(url, name);
       setTimeout(() => URL.revokeObjectURL(url), 10_000);

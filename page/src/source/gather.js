@@ -9,7 +9,7 @@ import { scalar } from "./frame.js";
 /** What a newton of tension is worth in a rope. @param {import("./protocol.js").Rope} rope
  * @param {Colouring} colouring */
 function perNewton(rope, colouring) {
-  if (colouring === "strain") return 1 / rope.EA;
+  if (colouring === "strain") return rope.EA ? 1 / rope.EA : 0; // rigid links do not stretch
   if (colouring === "utilisation") return rope.breaking_load ? 1 / rope.breaking_load : 0;
   return 1;
 }

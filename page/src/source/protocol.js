@@ -1,7 +1,7 @@
 // The messages of the live view, as docs/reference/live-protocol.md describes them. Types only.
 
 /** @typedef {{name: string, first: number, nodes: number, zero: number, segments: number, length: number,
- *   EA: number, breaking_load?: number | null, least_load?: number | null,
+ *   EA: number | null, breaking_load?: number | null, least_load?: number | null,
  *   diameter: number, mass: number, submerged_weight: number | null, color: number}} Rope */
 /** @typedef {{name: string, rope: string, node: number, index: number, motion: string,
  *   pinned: boolean, until?: number | null}} Anchor */
@@ -16,7 +16,7 @@
 /** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
  *   friction: number, spin: [number, number, number | null] | null, turns?: number[][] | null,
  *   motion?: Motion | null, wheel?: number, vertices?: number[], faces?: number[], first?: number[],
- *   axle?: number[], hub?: number[], turnable?: boolean}} Obstacle */
+ *   axle?: number[], hub?: number[], turnable?: boolean, movable?: boolean}} Obstacle */
 /** @typedef {{kind: string, params: (number | null)[], table: number[][]}} Motion */
 /** @typedef {{name: string, nodes: number[]}} Joint */
 
@@ -43,7 +43,7 @@
  *   step: number, bound: number | null, meter: number | null, meter_limit: number | null,
  *   meter_name: string | null,
  *   largest_spring_constant: number | null, largest_axial_stiffness: number | null,
- *   spring_factor: number | null, case: string, rope: string, node: number, method: string, verdict: string,
+ *   spring_factor: number | null, case: string, method: string, verdict: string,
  *   remedies: string[], steps: Record<string, number>}} Stability */
 /** What the meter says of the step that broke. @typedef {Pick<Stability, "stable" | "bound" | "meter" |
  *   "meter_limit" | "meter_name"> & {rubs?: boolean}} Cause `rubs`: without friction the step would hold */

@@ -267,14 +267,19 @@ export class Replay {
     this.events?.message(this.layouts[part]);
   }
 
-  /** Frames of the part that is shown, each with its layout. @param {number} first @param {number} count
-   * @param {number} every @param {AbortSignal} [signal] */
+  /** Frames, each with the layout that it is written in. @param {number} first @param {number} count
+   * @param {number} every @param {AbortSignal} [signal] @returns {Promise<{buffer: ArrayBuffer, layout: Layout}[]>} */
   async read(first, count, every, signal) {
-    const { part } = this;
-    const begin = Math.max(0, Math.ceil((this.first[part] - first) / every)); // those before are of another layout
-    const end = this.first[part] + this.run.parts[part].frames;
-    const there = Math.min(count, Math.ceil((end - first) / every)) - begin;
-    return there > 0 ? this.frames.read(first + begin * every, there, every, signal) : [];
+    const there = Math.min(count, Math.ceil((this.times.length - first) / every));
+    if (there <= 0) return [];
+    const buffers = await this.frames.read(first, there, every, signal);
+    const found = [];
+    for (const [i, buffer] of buffers.entries()) {
+      const part = this.partOf(first + i * every);
+      this.layouts[part] ??= await this.frames.layout(part);
+      found.push({ buffer, layout: this.layouts[part] });
+    }
+    return found;
   }
 
   tellStatus() {

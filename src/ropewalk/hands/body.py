@@ -22,7 +22,7 @@ from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.registry import CODES
 from ropewalk.motions.velocity import INTERVAL, WAY
 from ropewalk.motions.whereabouts import place_now
-from ropewalk.scene.obstacles import is_free, name_of
+from ropewalk.scene.obstacles import has_mass, is_free, name_of
 from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
@@ -131,6 +131,11 @@ class ObstacleHandle:
         return not is_free(self._body)
 
     @property
+    def moves(self) -> bool:
+        """Whether a hand can move it: it has no mass that would swing."""
+        return not has_mass(self._body)
+
+    @property
     def _step(self) -> float:
         """The longest step that its method takes [s]."""
         plan = self._simulation.plan
@@ -206,7 +211,7 @@ class ObstacleHandle:
 
     def _move(self, velocity: Floats, stop: float) -> None:
         speed, fastest = float(np.linalg.norm(velocity)), self.fastest
-        if (spin := self._body.spin) is not None and spin.mass is not None:
+        if not self.moves:
             rule = "its weight turns it, and what moves its pivot would, too; no hand can move it"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         if speed > fastest * (1.0 + _EVEN):

@@ -33,8 +33,11 @@ def lead(handle: ObstacleHandle, target: Floats | None, angle: float | None, pac
     """Have a body go to a place [m] and turn to an angle [rad].
 
     `pace`: simulated seconds in one of the user's.
-    Raises SceneError for one that no hand can turn.
+    Raises SceneError for one that no hand can turn, or move.
     """
+    if target is not None and not handle.moves:
+        rule = "cannot be moved: its weight turns it, and what moves its pivot would, too"
+        raise refusal("target", None, rule)
     follow = FOLLOW * max(pace, SLOWEST)
     if angle is not None:
         if not handle.turns:

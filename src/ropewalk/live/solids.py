@@ -19,7 +19,7 @@ from ropewalk.motions.rows import kind_of, own_table
 from ropewalk.motions.velocity import INTERVAL, WAY
 from ropewalk.record.obstacle_table import obstacle_table
 from ropewalk.scene import Obstacle, Scene
-from ropewalk.scene.obstacles import is_free
+from ropewalk.scene.obstacles import has_mass, is_free
 
 _NEVER = 1e9  # [s]
 
@@ -45,6 +45,7 @@ def obstacle_list(
             "friction": body.friction,
             "spin": _numbers(table.spin[row]) if table.spin[row][0] else None,
             "turnable": not is_free(body),
+            "movable": not has_mass(body),
             **_moving(table, row),
             **_turned(table, row),
             **_surface(body),

@@ -166,6 +166,11 @@ def is_free(body: Obstacle) -> bool:
     return body.spin is not None and body.spin.free
 
 
+def has_mass(body: Obstacle) -> bool:
+    """Tell whether a body turns freely with a mass, which swings about its pivot."""
+    return body.spin is not None and body.spin.mass is not None
+
+
 def name_of(body: Obstacle, row: int) -> str:
     """Return the name of an obstacle, or what stands for it where it has none."""
     return body.name or f"obstacle{row}"
