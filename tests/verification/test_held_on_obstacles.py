@@ -20,6 +20,7 @@ from ropewalk.methods.verdict import energy_now
 from ropewalk.record.moving_rows import axle_loads
 from ropewalk.scene import (
     Anchor,
+    Box,
     Cylinder,
     Load,
     Material,
@@ -27,6 +28,7 @@ from ropewalk.scene import (
     Rope,
     RunSettings,
     Scene,
+    SceneError,
     Spin,
     Straight,
     Velocity,
@@ -172,6 +174,29 @@ def test_an_anchor_stands_on_either_side_of_a_bars_axis(height: float) -> None:
     scene = Scene(ropes=[rope], anchors=[Anchor(node=0)], obstacles=[bar], run=run)
     assert rw.simulate(scene).status == "finished"
     assert rw.equilibrium(scene).reactions[0, 0, 2] == pytest.approx(0.16 * g, rel=1e-6)
+
+
+@pytest.mark.parametrize(("half", "edge"), [((0.2, 0.05, 0.05), 0.005), ((0.2, 0.2, 0.004), 0.002)])
+def test_an_anchor_on_a_surface_stands_in_no_body(
+    half: tuple[float, float, float], edge: float
+) -> None:
+    """Its gap is 1e-18 m or -1e-18: one rope of the two was let through what it stood on."""
+
+    def hung(deep: float) -> Scene:
+        rope = Rope(
+            segments=4,
+            length=0.6,
+            diameter=D,
+            made_of=Material(EA=1e4, mass_per_length=0.1, axial_damping=10.0),
+            shape=Straight(start=(0, 0, half[2] - deep), direction=(0, 0, -1)),
+        )
+        box = Box(name="beam", center=(0, 0, 0), half_sizes=half, edge_radius=edge)
+        run = RunSettings(duration=0.005, time_step=0.005, method="esdirk3")
+        return Scene(ropes=[rope], anchors=[Anchor(node=0)], obstacles=[box], run=run)
+
+    with pytest.raises(SceneError, match="segment 0.*goes through obstacle 'beam'"):
+        Simulation(hung(0.0))
+    assert rw.simulate(hung(0.001)).status == "finished"  # it stands in the beam
 
 
 def tied(spin: Spin | None = None, **more: Any) -> Scene:

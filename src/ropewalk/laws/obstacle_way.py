@@ -31,7 +31,7 @@ from ropewalk.laws.wheel_rows import surface_now, surface_then
 FINE, HALVE = 0, 2  # see `laws.couplings`
 TRIES = 500
 DEEPEST = 0.75  # [1] depth over the thinnest
-STANDS = 1e-9  # [m] in a step: an anchor that goes less stands
+STANDS = 1e-9  # [m] an anchor that goes less in a step stands; one that is less deep stands on a surface
 LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
 FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
 LONG = 2.0 * (1.0 - DEEPEST)  # [1] length over half the thickness of what may lie across
@@ -148,10 +148,11 @@ def lies_across(obstacles, o, i, p, q):
 def leads_out(obstacles, o, inverse_mass, a, p):
     """Tell whether a segment comes out of obstacle o, in which an anchor holds its end: from a to p nowhere.
 
-    One that moves in the body may leave it on the other side.
+    One that moves in the body may leave it on the other side, and one on its surface stands in none: rounding
+    alone would tell whether its rope may go through.
     """
     way = abs(p[0] - a[0]) + abs(p[1] - a[1]) + abs(p[2] - a[2])
-    return inverse_mass == 0.0 and way < STANDS and gap_at(obstacles, o, p) < 0.0
+    return inverse_mass == 0.0 and way < STANDS and gap_at(obstacles, o, p) < -STANDS
 
 
 @kernel
