@@ -51,3 +51,17 @@ def test_a_heavy_load_is_braked_before_it_touches_and_that_is_told(frames: float
 def test_a_rope_alone_is_not_told_of() -> None:
     """Its own nodes are braked 22 mm before."""
     assert ABOUT not in rw.simulate(falling(0.0, EA=5000.0)).table
+
+
+@pytest.mark.parametrize("beside", [0.08, 0.04])
+def test_it_is_told_of_what_brakes_not_of_what_is_nearest(beside: float) -> None:
+    """A wall that nothing comes at was named for the floor, or hid it where it is as near as goes unsaid."""
+    scene = falling(2.0)
+    scene = scene.replace(run=scene.run.replace(time_step=2e-3, duration=0.08))
+    wall = Plane(name="wall", point=(0, beside, 0), normal=(0, -1, 0))
+    alone, walled = (
+        rw.simulate(scene.replace(obstacles=[*scene.obstacles, *more])).table[ABOUT]
+        for more in ([], [wall])
+    )
+    assert "before 'floor'" in alone
+    assert walled == alone

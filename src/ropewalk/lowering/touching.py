@@ -82,7 +82,7 @@ def contacts_at(
     """
     rows: list[_Row] = []
     nodes = np.flatnonzero(np.any(force != 0.0, axis=0))
-    speed, over, near = _relative(table, nodes, x, v, t)
+    speed, over, near = within_reach(table, nodes, x, v, t)
     wanted = near if only is None else near & near[list(only)].any(axis=0)
     for j, o in np.argwhere(wanted.T).tolist():
         i = int(nodes[j])
@@ -100,7 +100,7 @@ def contacts_at(
     return _shared(rows, force)
 
 
-def _relative(
+def within_reach(
     table: Obstacles, nodes: Ints, x: Floats, v: Floats, t: float
 ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Return velocities of m nodes beside obstacles, (k, m, 3) twice [m/s], and which may touch, (k, m).

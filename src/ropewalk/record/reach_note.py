@@ -9,12 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import depths
-from ropewalk.lowering.touching import at_rates
+from ropewalk.lowering.touching import at_rates, contacts_at, within_reach
 from ropewalk.record.contacts import model_of
 from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS
 from ropewalk.statics.pressing import rounded
@@ -56,26 +55,27 @@ def reach_note(result: Result) -> str:
 
 
 def farthest(result: Result) -> Reach | None:
-    """Return where a node was braked farthest from the nearest obstacle; None if within some centimetres."""
+    """Return where a node was braked farthest from an obstacle by it; None if within some centimetres."""
     if not result.scene.obstacles or "contact_force" not in result.source.names:
         return None
     apart = OBSTACLE_FORCE in result.source.names
     if result.scene.contact is not None and not apart:
         return None  # an old run: whose force it is cannot be told
-    table = model_of(result).system.node.obstacle
+    model = model_of(result)
+    table = model.system.node.obstacle
     turning = result.read(PULLEYS) if result.layout.pulleys else None
     worst: Reach | None = None
     for first in range(0, result.good_frames, _PIECE):
         last = min(first + _PIECE, result.good_frames)
         force = result.read(OBSTACLE_FORCE if apart else "contact_force", first, last)
-        places = result.read("positions", first, last)
+        places, speeds = (result.read(name, first, last) for name in ("positions", "velocities"))
         for row in np.flatnonzero(force.any(axis=(1, 2))).tolist():
-            frame, braked = first + row, force[row].any(axis=1)
+            frame = first + row
             t = float(result.time[frame])
             now = table if turning is None else at_rates(table, turning[frame], t)
-            gaps = -depths(now, np.ascontiguousarray(places[row].T), t)
-            found = _of_frame(table, frame, gaps, braked)
-            if found.gap - found.wanted > (worst.gap - worst.wanted if worst else 0.0):
+            x, v, pushed = (np.ascontiguousarray(one[row].T) for one in (places, speeds, force))
+            found = _of_frame(now, frame, x, v, pushed, model.state.stiffness, t)
+            if found and found.gap - found.wanted > (worst.gap - worst.wanted if worst else 0.0):
                 worst = found
     return None if worst is None else _as_it_came(result, table, worst)
 
@@ -90,13 +90,29 @@ def _as_it_came(result: Result, table: Obstacles, found: Reach) -> Reach:
     return found._replace(compliance=(found.wanted / reach) ** 2 / stiffness)
 
 
-def _of_frame(table: Obstacles, frame: int, gaps: Floats, braked: NDArray[np.bool_]) -> Reach:
-    """Return where one of the nodes that are braked, (n,), is farthest from what is nearest to it.
+def _of_frame(
+    table: Obstacles, frame: int, x: Floats, v: Floats, force: Floats, stiffness: Floats, t: float
+) -> Reach | None:
+    """Return where a node is braked farthest from what brakes it, at time `t` [s]; None if nowhere.
 
-    `gaps` (k, n) [m] are those between all obstacles and all nodes.
+    Places, velocities and forces of all obstacles are (3, n) [m, m/s, N], `stiffness` (s,) [N/m]. What is
+    nearest may brake nothing.
     """
     wanted = np.maximum(4.0 * table.thickness, _LEAST)
-    node = int(np.argmax(np.where(braked, gaps.min(axis=0) - wanted, -np.inf)))
-    row = int(np.argmin(gaps[:, node]))
-    gap, room = float(gaps[row, node]), float(wanted[node])
-    return Reach(frame, row, node, gap, room, 0.0)
+    gaps = -depths(table, x, t)
+    nodes = np.flatnonzero(force.any(axis=0))
+    far = gaps[:, nodes] > wanted[nodes]
+    if not far.any():
+        return None
+    far &= within_reach(table, nodes, x, v, t)[2]
+    if not far.any():
+        return None
+    asked = np.zeros_like(force)
+    asked[:, nodes] = force[:, nodes] * far.any(axis=0)
+    hits = contacts_at(table, x, v, asked, stiffness, t)
+    if not hits.node.size:
+        return None
+    beyond = gaps[hits.obstacle, hits.node] - wanted[hits.node]
+    hit = int(np.argmax(beyond))
+    row, node = int(hits.obstacle[hit]), int(hits.node[hit])
+    return Reach(frame, row, node, float(gaps[row, node]), float(wanted[node]), 0.0)
