@@ -213,3 +213,22 @@ def test_adaptive_moves_a_body_as_fast_as_its_longest_step_lets_it() -> None:
         ):
             simulation.obstacles["drum"].velocity = (1e4, 0.0, 0.0)
     assert found == pytest.approx([0.51, 0.51])
+
+
+def test_a_disc_is_moved_in_its_own_plane_as_fast_as_in_the_scene() -> None:
+    """Its radius is to go there, not its half thickness: at 3 m/s the hand was refused."""
+    disc = Cylinder(name="disc", start=(0.5, -0.01, -1), end=(0.5, 0.01, -1), radius=0.2)
+    run = rw.RunSettings(method="implicit-euler", time_step=1 / 60, duration=0.1)
+    scene = on_a_table().replace(obstacles=[disc], run=run)
+    lifted = disc.replace(motion=Velocity(velocity=(0, 0, 3.0)))
+    rw.Simulation(scene.replace(obstacles=[lifted]))
+    simulation = rw.Simulation(scene)
+    body = simulation.obstacles["disc"]
+    assert body.fastest == pytest.approx((0.01 + 0.01) * 60)
+    assert body.fastest_along((0, 0, 3)) == pytest.approx((0.2 + 0.01) * 60)
+    for far, rule in (((0, 0.13, 0), "at most 1.2 m/s"), ((0, 0, 1.3), "at most 12.6 m/s")):
+        with pytest.raises(ValueError, match=rule):
+            body.move_to(body.position + far, 0.1)
+    body.move_to(body.position + (0, 0, 0.3), 0.1)
+    simulation.step(0.1)
+    np.testing.assert_allclose(body.position, (0.5, 0, -0.7), atol=1e-9)

@@ -17,7 +17,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.hands.ahead import rate_ahead, speed_ahead
 from ropewalk.hands.hand import three
 from ropewalk.laws.obstacle_places import reach_of
-from ropewalk.lowering.obstacle_checks import radius_with_rope
+from ropewalk.lowering.obstacle_checks import radius_with_rope, thin_along
 from ropewalk.motions.kind import ORIGIN
 from ropewalk.motions.registry import CODES
 from ropewalk.motions.velocity import INTERVAL, WAY
@@ -107,12 +107,24 @@ class ObstacleHandle:
 
     @property
     def fastest(self) -> float:
-        """The largest speed at which it jumps over no node within a step, turning as it will [m/s]."""
+        """The largest speed at which it jumps over no node within a step, whatever way it goes [m/s].
+
+        Turning as it will. See `fastest_along`.
+        """
         if (reach := self._reach) == 0.0:
             return self._limit
         table, row, time = self._table, self._row, self._simulation.time
         rate = abs(self.rate) if table.wheel[row] >= 0 else rate_ahead(table, row, time)
         return max(self._limit - rate * reach, 0.0)
+
+    def fastest_along(self, way: ArrayLike) -> float:
+        """The same along a `way` [m], (3,), however long [m/s]: a disc goes faster in its own plane.
+
+        Raises ValueError for anything but three finite numbers.
+        """
+        ways, system = [three("way", way, "m")], self._simulation.system
+        thin = thin_along(system, self._row, self._body, ways)[0]
+        return self.fastest + (thin - radius_with_rope(system, self._body)) / self._step
 
     @property
     def fastest_turn(self) -> float:
@@ -210,7 +222,7 @@ class ObstacleHandle:
         return late - self._simulation.time, late
 
     def _move(self, velocity: Floats, stop: float) -> None:
-        speed, fastest = float(np.linalg.norm(velocity)), self.fastest
+        speed, fastest = float(np.linalg.norm(velocity)), self.fastest_along(velocity)
         if not self.moves:
             rule = "its weight turns it, and what moves its pivot would, too; no hand can move it"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.hardening import depth_under
@@ -75,7 +76,7 @@ def _sharp(scene: Scene, system: System) -> list[Fault]:
 def step_past_nodes(scene: Scene, system: System) -> float:
     """Return an automatic step in which no obstacle moves past nodes, or turns far [s]; inf: none moves."""
     found = (
-        0.9 * _in_the_way(system, row, body)[0] / speed
+        0.9 * thin_along(system, row, body, _ways(body))[0] / speed
         for row, (body, speed) in enumerate(_speeds(scene, system))
         if speed > 0.0
     )
@@ -103,39 +104,46 @@ def radius_with_rope(system: System, body: Obstacle) -> float:
     return thinnest(body) + float(system.node.obstacle.thickness.max(initial=0.0))
 
 
-def _in_the_way(system: System, row: int, body: Obstacle) -> tuple[float, str]:
-    """Return how thin a body is along its ways, half of the thickest rope counted in [m], and what that is.
+def thin_along(
+    system: System, row: int, body: Obstacle, ways: ArrayLike | None
+) -> tuple[float, str]:
+    """Return how thin a body is along `ways` (w, 3), half of the thickest rope counted in [m], and what that is.
 
-    A disc that moves in its own plane has its radius to go.
+    A disc that moves in its own plane has its radius to go. None stands for any way.
     """
     turned = system.node.obstacle.sweeps[row]
-    if isinstance(body, Cylinder) and not turned and _keeps_its_plane(body):
+    if isinstance(body, Cylinder) and not turned and ways is not None and _across(body, ways):
         return body.radius + radius_with_rope(system, body) - thinnest(body), "radius"
     return radius_with_rope(system, body), what_is_thin(body)
 
 
-def _keeps_its_plane(body: Cylinder) -> bool:
-    """Tell whether a cylinder moves across its axis alone."""
-    axis, motion = np.subtract(body.end, body.start), body.motion
-    ways: Any
-    match motion:
-        case Velocity():
-            ways = [motion.velocity]
-        case Shake():
-            ways = [motion.axis]
-        case Table():
-            ways = np.diff(motion.positions, axis=0)
-        case _:
-            return isinstance(motion, Fixed)
+def _across(body: Cylinder, ways: ArrayLike) -> bool:
+    """Tell whether all `ways` (w, 3) are across the axis of a cylinder."""
+    axis = np.subtract(body.end, body.start)
     along = np.abs(np.asarray(ways) @ axis)
     return bool((along <= _ALONG * np.linalg.norm(ways, axis=1) * np.linalg.norm(axis)).all())
+
+
+def _ways(body: Obstacle) -> ArrayLike | None:
+    """Return the ways of a body's motion (w, 3); None of one that goes any way."""
+    match motion := body.motion:
+        case Fixed():
+            return np.zeros((0, 3))
+        case Velocity():
+            return [motion.velocity]
+        case Shake():
+            return [motion.axis]
+        case Table():
+            ways: Floats = np.diff(motion.positions, axis=0)
+            return ways
+    return None
 
 
 def refuse_fast(scene: Scene, system: System, step: float) -> None:
     """Raise SceneError for obstacles that move past nodes, or turn by more than half, within a step [s]."""
     faults = []
     for row, (body, speed) in enumerate(_speeds(scene, system)):
-        radius, measure = _in_the_way(system, row, body)
+        radius, measure = thin_along(system, row, body, _ways(body))
         if speed * step > radius:
             rule = (
                 f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the "
