@@ -31,7 +31,7 @@ from ropewalk.laws.wheel_rows import surface_now, surface_then
 FINE, HALVE = 0, 2  # see `laws.couplings`
 TRIES = 500
 DEEPEST = 0.75  # [1] depth over the thinnest
-STANDS = 1e-9  # [m] an anchor that goes less in a step stands; one that is less deep stands on a surface
+STANDS = 1e-9  # [m] an anchor that goes less in a step stands; less deep it is on a surface
 LEAST = 0.01  # [1] of the thinnest: the least part of a way that is gone at once
 FACING = -0.7  # [1] cosine between the normals at both ends of what lies across a body
 LONG = 2.0 * (1.0 - DEEPEST)  # [1] length over half the thickness of what may lie across

@@ -107,9 +107,10 @@ def radius_with_rope(system: System, body: Obstacle) -> float:
 def thin_along(
     system: System, row: int, body: Obstacle, ways: ArrayLike | None
 ) -> tuple[float, str]:
-    """Return how thin a body is along `ways` (w, 3), half of the thickest rope counted in [m], and what that is.
+    """Return how thin a body is along `ways` (w, 3) [m], and what that is.
 
-    A disc that moves in its own plane has its radius to go. None stands for any way.
+    Half of the thickest rope is counted in. A disc that moves in its own plane has its radius to go.
+    None stands for any way.
     """
     turned = system.node.obstacle.sweeps[row]
     if isinstance(body, Cylinder) and not turned and ways is not None and _across(body, ways):
