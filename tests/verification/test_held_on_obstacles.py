@@ -35,6 +35,7 @@ from ropewalk.scene import (
     Winch,
 )
 from ropewalk.simulation import Simulation
+from ropewalk.statics import static_shape
 
 g, D, RADIUS = 9.81, 0.01, 0.05
 FLOOR = Plane(name="floor")
@@ -85,6 +86,17 @@ def test_a_stake_on_a_floor_comes_to_rest() -> None:
     started = rw.simulate(stake(FLOOR, start="at-rest", duration=0.1))
     np.testing.assert_allclose(started.reactions[-1], alone.reactions[0], atol=1e-5)
     assert not [one for one in check(stake(FLOOR)).warnings if "pressed" in one]
+
+
+def test_a_stake_on_a_floor_leaves_the_rope_its_span() -> None:
+    """Its sag was not told: the floor that it stands in counted as what it lies on. The twin lies on one."""
+    with_floor, alone = (static_shape(stake(*bodies)).spans for bodies in ([FLOOR], []))
+    assert [str(one) for one in with_floor] == [str(one) for one in alone]
+    assert alone[0].sag > 0.1
+    below = stake(Plane(name="floor", point=(0, 0, -0.1)))
+    long = static_shape(below.replace(**{"rope.length": 1.3}))
+    assert long.contacts.node.size
+    assert not long.spans
 
 
 def test_what_nothing_holds_is_pushed_still() -> None:

@@ -105,6 +105,7 @@ def rest_spans(
     found = []
     measure = partial(_measure, model, positions, tension, _shear(model, positions), left)
     lies = touched(model.system.node.obstacle, positions.T)
+    lies &= model.state.inverse_mass > 0.0  # what is held touches nothing
     for rope in model.layout.ropes:
         nodes = sorted({*held_nodes(model, rope), *tied_nodes(model, rope)})
         if not nodes or lies[rope.start : rope.end + 1].any():
