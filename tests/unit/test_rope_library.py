@@ -13,7 +13,7 @@ import ropewalk as rw
 from ropewalk.library import families, names, rope, search, sources
 from ropewalk.library.catalogue import _SOURCES, _table, faults
 from ropewalk.library.entry import UNITS
-from ropewalk.scene import SceneError, apply_overrides, dumps, loads, schema
+from ropewalk.scene import Material, SceneError, apply_overrides, dumps, loads, schema
 from ropewalk.scene.from_library import origin, origin_words
 from ropewalk.scene.overrides import Places
 
@@ -224,6 +224,16 @@ def test_overrides_take_numbers_diameter_and_origin_together() -> None:
         by_key = apply_overrides(loads(TEXT), [given])
         assert by_key.ropes[0].made_of == wire.material()
         assert by_key.ropes[0].diameter == wire.diameter
+
+
+def test_another_library_of_a_material_takes_the_old_numbers_away() -> None:
+    """They stood under the new name: 25 kN for the EA of a rope of 1177 kN."""
+    old, new = (Material(library=name) for name in ("dynamic-single", "hmpe-12strand-6"))
+    assert old.replace(library=new.library) == new
+    assert old.replace(EA=5e4, library=new.library) == new.replace(EA=5e4)
+    assert old.replace(library="").EA == old.EA
+    scene = loads(TEXT)
+    assert scene.ropes[0].replace(made_of=new).diameter == scene.ropes[0].diameter
 
 
 @pytest.mark.parametrize("made_of", ["wire-7x19-10", rope("wire-7x19-10")])

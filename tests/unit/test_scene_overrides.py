@@ -145,6 +145,8 @@ def test_another_file_takes_the_place_of_what_was_read(
     scene = Scene(ropes=Rope(segments=4, length=2.0, made_of=made), anchors=[Anchor(node=0)])
     changed = apply_overrides(scene, ["rope.made_of.curve.file=b.csv"])
     assert changed.ropes[0].made_of.curve.tension == (500.0, 1500.0)  # type: ignore[union-attr]
+    assert made.curve is not None  # "give either file or ..." it was, by a field of one model
+    assert made.curve.replace(file="b.csv").tension == (500.0, 1500.0)
     tetra = Mesh(
         vertices=[(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
         faces=[(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)],

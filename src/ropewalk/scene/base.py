@@ -22,7 +22,7 @@ from pydantic import (
 from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
-from ropewalk.scene.changing import brings_diameter, replaced
+from ropewalk.scene.changing import displaced, replaced
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.limits import HUGE, TINY
 from ropewalk.scene.model_table import as_table
@@ -263,7 +263,8 @@ class Model(BaseModel, metaclass=_Sentences):
         ``scene.replace(**{"rope.made_of.spring_constant": 200.0})`` (every rope), ``"rope[1].segments"``
         or ``"rope.left.segments"`` (one of them), ``"run.duration"``.
 
-        Another rope of the library as ``made_of`` brings its diameter along.
+        Another rope of the library, named as ``made_of``, brings its diameter along (a `Material` has none);
+        another ``library`` of a material, or another ``file``, takes the numbers of the old one away.
 
         Raises:
             SceneError: when a path leads nowhere, or the changed model is faulty.
@@ -271,8 +272,9 @@ class Model(BaseModel, metaclass=_Sentences):
         if any("." in name or "[" in name for name in changes):
             return replaced(self, changes)
         kept = {name: getattr(self, name) for name in self.model_fields_set}
-        if brings_diameter(changes.get("made_of")):
-            kept.pop("diameter", None)
+        for key, value in changes.items():
+            for other in displaced(kept, key, value):
+                del kept[other]
         return type(self)(**(kept | changes))
 
     @classmethod

@@ -284,16 +284,12 @@ def put(target: Target, value: Any) -> None:
         return
     if key == "kind" and value != owner.get("kind"):
         _change_kind(owner, model, value)
-    if key == "library":  # its numbers take the place of those that are there
-        for other in set(owner) - {"kind"}:
-            del owner[other]
-        if above is not None:  # of the rope, whose diameter the library gives, too
-            above.pop("diameter", None)
-    if key == "file":
-        for other in _FROM_FILES & set(owner):
-            del owner[other]
-    if key == "made_of" and brings_diameter(value):
-        owner.pop("diameter", None)
+    for other in displaced(owner, key, value):
+        del owner[other]
+    if (
+        key == "library" and value and above is not None
+    ):  # of the rope, whose diameter the library gives, too
+        above.pop("diameter", None)
     owner[key] = value
 
 
@@ -302,6 +298,15 @@ def _change_kind(owner: dict[str, Any], model: ModelType, value: Any) -> None:
     if chosen is not None:
         for key in set(owner) - set(keys(chosen)):
             del owner[key]
+
+
+def displaced(names: Iterable[str], key: str, value: Any) -> set[str]:
+    """Return which of a table's `names` a new value for `key` takes away: what went with the old one."""
+    if key == "library" and value:
+        return set(names) - {"kind"}
+    if key == "file":
+        return _FROM_FILES & set(names)
+    return {"diameter"} & set(names) if key == "made_of" and brings_diameter(value) else set()
 
 
 def brings_diameter(made_of: Any) -> bool:
