@@ -179,3 +179,40 @@ def test_a_plate_is_as_thin_as_it_is_long() -> None:
         said = [one for one in told if "only nodes touch" in one]
         assert len(said) == warned
         assert all("longer than twice its half length (7 mm" in one for one in said)
+
+
+def beside_a_thick_rope(more: str = "") -> rw.Scene:
+    """A rope of 10 mm and segments of 0.2 m past a bar, and one of 120 mm, 5 m away."""
+    thin = ROPE.replace("segments = 20", "segments = 5") % ("0.2", "0.2")
+    thick = ROPE[ROPE.index("[[rope]]") :] % ("0.3", "0.3")
+    thick = thick.replace("0.01", "0.12").replace("mass_per_length = 0.05", "mass_per_length = 50.0")
+    thick = thick.replace("-0.5, 0,", "-0.5, 5.0,").replace("[0.5, 0,", "[0.5, 5.0,")
+    names = "[[anchor]]\nrope = '%s'\nnode = 0\n[[anchor]]\nrope = '%s'\nnode = -1\n"
+    ropes = thin.replace("[[rope]]", "[[rope]]\nname = 'thin'")
+    ropes += thick.replace("[[rope]]", "[[rope]]\nname = 'thick'") if more else ""
+    anchors = "".join(names % (one, one) for one in ["thin", *([more] if more else [])])
+    return loads(ropes + BAR + "compliance = 1e-5\n" + anchors)
+
+
+def test_a_thick_rope_elsewhere_hides_no_warning_of_a_thin_one() -> None:
+    """Its half diameter was counted in: segments of 0.2 m were no longer long for a bar of 50 mm."""
+    for scene, whose in (
+        (beside_a_thick_rope(), "segments of 200 mm"),
+        (beside_a_thick_rope("thick"), "segments of rope 'thin' of 200 mm"),
+    ):
+        told = [one for one in rw.check(scene, measure=False).warnings if "'bar'" in one]
+        assert any(whose in one and "twice its radius (55 mm" in one for one in told)
+        assert not any("all weight on one node" in one and "of at most 1e-06" in one for one in told)
+    quick = {"kind": "velocity", "velocity": (0.0, 0.0, 20.0)}  # 80 mm in a step: a jump for the thin one
+    with pytest.raises(SceneError, match=r"more than the radius of 'bar' \(55 mm"):
+        build(scene.replace(obstacles=[scene.obstacles[0].replace(motion=quick)]))
+
+
+def test_what_is_thin_of_a_box_is_called_so() -> None:
+    """It was "its radius", of a box 1 m wide."""
+    crate = {"kind": "box", "name": "crate", "center": (0, 0, -0.5), "half_sizes": (0.5, 0.5, 0.5)}
+    ring = {"kind": "torus", "name": "ring", "center": (0, 0, 0), "radius": 0.5, "bar_radius": 0.02}
+    for body, measure in ((crate | {"edge_radius": 0.01}, "edges' radius"), (ring, "bar's radius")):
+        scene = beside_a_thick_rope().replace(obstacles=[body])
+        told = [one for one in rw.check(scene, measure=False).warnings if "only nodes touch" in one]
+        assert any(f"twice its {measure} (" in one for one in told)

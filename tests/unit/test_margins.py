@@ -70,7 +70,8 @@ def test_check_and_figures_say_it_and_warn() -> None:
     found = rw.check(torn, measure=False)
     assert any("1.23 times its breaking load" in warning for warning in found.warnings)
     assert not any("breaking" in warning for warning in rw.check(calm, measure=False).warnings)
-    assert found.as_dict()["ropes"][0]["utilisation"] == pytest.approx(top(50.0) / 400.0)  # type: ignore[index]
+    borne = 9.81 * (50.0 + 0.1 * 2.0)  # by the anchor
+    assert found.as_dict()["ropes"][0]["utilisation"] == pytest.approx(borne / 400.0)  # type: ignore[index]
     result = rw.simulate(torn)
     for figure in (result.plot.tension(), result.plot.forces()):
         texts = " ".join(text.get_text() for text in figure.texts)
@@ -86,6 +87,29 @@ def test_the_forces_of_one_moment_do_not_hide_those_of_the_run() -> None:
     assert f"safety factor {least:.3g} since the start" in texts
     assert "% of the breaking load at this moment" in texts
     assert texts.count("safety factor") == 1
+
+
+@pytest.mark.parametrize(("segments", "parts"), [(1, False), (10, True), (200, True)])
+def test_what_the_anchor_bears_counts_for_the_utilisation_at_rest(
+    segments: int, parts: bool
+) -> None:
+    """1000 m of 1 kg/m: 9810 N at the top, whatever the segments; of ten it was 98.1 % of 9500 N."""
+    made_of = rw.Material(EA=1e7, mass_per_length=1.0, breaking_load=9500.0, parts=parts)
+    rope = rw.Rope(segments=segments, length=1000.0, made_of=made_of, shape={"kind": "hanging"})
+    heavy = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)])
+    found = rw.check(heavy, measure=False)
+    assert found.ropes[0].utilisation == pytest.approx(9810.0 / 9500.0)
+    said = " ".join(found.lines())
+    assert "103 % of the breaking load, safety factor 0.968" in said
+    if not parts:
+        assert any("1.03 times its breaking load" in text for text in found.warnings)
+        return
+    then = {10: ("with more segments it parts", "it may part"), 200: ("; it parts", "it parts by")}
+    assert then[segments][0] in said  # segments of ten carry 9320 N, and hold in the run
+    assert any(then[segments][1] in text for text in found.warnings)
+    if segments == 10:
+        told = rw.equilibrium(heavy).table["about the largest tension"]
+        assert "(5.3 %), 103 % of the breaking load;" in told
 
 
 def test_half_a_segment_of_a_heavy_rope_is_told_where_the_anchor_bears_it() -> None:

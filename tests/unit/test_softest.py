@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from ropewalk.analysis.stability import Stability, rounded_down, stability
+from ropewalk.analysis.stability import Stability, stability
 from ropewalk.live.meter import measure
 from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene
+from ropewalk.words.bounds import rounded_down
 
 
 def soft(method: str, dt: float, **more: float | bool) -> Stability:

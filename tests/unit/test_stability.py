@@ -8,8 +8,9 @@ import math
 import numpy as np
 import pytest
 
+from ropewalk.analysis.check import check
 from ropewalk.analysis.linear_theory import sideways_share
-from ropewalk.analysis.stability import Stability, rounded_down, stability
+from ropewalk.analysis.stability import Stability, stability
 from ropewalk.live.meter import measure
 from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
@@ -30,6 +31,7 @@ from ropewalk.scene import (
 )
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.words.bounds import rounded_down, rounded_up
 
 
 def report(
@@ -262,7 +264,24 @@ def test_rounding_never_goes_up() -> None:
         shown = float(rounded_down(value))
         assert shown <= value * (1 + 1e-9)
         assert shown > 0.989 * value
+        assert float(rounded_down(value, 4)) <= value * (1 + 1e-9)
+        above = float(rounded_up(value, 4))
+        assert value * (1 - 1e-9) <= above < 1.0011 * value
     assert rounded_down(8074.3) == "8070"
+    assert (rounded_down(1.58453, 4), rounded_up(1.5841, 4)) == ("1.584", "1.585")
+
+
+@pytest.mark.parametrize("constant", [171.0, 173.0, 176.0, 178.0, 179.0])
+def test_the_largest_step_that_is_told_is_stable(constant: float) -> None:
+    """To the nearest it was told as one that breaks, for half of all scenes: 1.585 ms of 1.58453."""
+    found = check(report(constant, 0.001), measure=False)
+    told = found.stability.verdict.partition("euler ")[2].partition(" ms")[0]
+    assert 0.999 * found.stability.bound < 1e-3 * float(told) <= found.stability.bound
+    listed = [line.split() for line in found.lines(all_methods=True) if line.startswith("  ")]
+    steps = {words[0]: words[1] for words in listed if words[-1] == "ms"}
+    assert len(steps) > 3
+    for method, text in steps.items():
+        assert 1e-3 * float(text) <= found.stability.largest_step[method]
 
 
 def test_no_limit_is_said_so() -> None:

@@ -190,6 +190,8 @@ def test_between_which_places_friction_holds_it(friction: float) -> None:
         _, crept = slope(trolley(start, friction, drop=0.0))
         assert crept.seats[0].at == pytest.approx(end, abs=0.3)
     assert "is held anywhere from" in in_words(found.seats[0], places)
+    between = in_words(found.seats[0], (3.12345, 7.98765))  # both ends as they are told hold it
+    assert "from 3.124 to 7.987 m" in between
 
 
 def test_where_nothing_says_between_which_places() -> None:

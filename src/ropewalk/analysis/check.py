@@ -24,7 +24,7 @@ from ropewalk.analysis.rest_notes import (
 )
 from ropewalk.analysis.rope_check import RopeCheck, rope_check
 from ropewalk.analysis.slide_notes import slide_warnings
-from ropewalk.analysis.stability import Stability, milliseconds, rounded_down, stability
+from ropewalk.analysis.stability import Stability, milliseconds, stability
 from ropewalk.analysis.strains import (
     breaking_warnings,
     overlong_at_start,
@@ -40,6 +40,7 @@ from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics, static_shape
 from ropewalk.words.annotations import unquoted
+from ropewalk.words.bounds import longest_step, rounded_down
 from ropewalk.words.counts import counted
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
@@ -151,7 +152,7 @@ class Check:
         """The bound of every method, and what decides it."""
         s = self.stability
         text = ["largest stable steps:"]
-        text += [f"  {name:<20} {milliseconds(step)}" for name, step in s.largest_step.items()]
+        text += [f"  {name:<20} {longest_step(step)}" for name, step in s.largest_step.items()]
         if math.isinf(s.highest_frequency):
             text.append("highest frequency: none bounds it, rigid links do not stretch")
         else:
@@ -162,13 +163,13 @@ class Check:
         if s.method == "semi-implicit-euler":
             text.append(f"stability meter a + 2b = {s.meter:.4g} of 4")
         if s.largest_spring_constant is not None:
-            text.append(f"largest spring constant {s.largest_spring_constant:.6g} N/m at this step")
+            text.append(f"largest spring constant {rounded_down(s.largest_spring_constant, 6)} N/m at this step")
         elif s.largest_axial_stiffness is not None:
-            text.append(f"largest EA {s.largest_axial_stiffness:.6g} N at this step")
+            text.append(f"largest EA {rounded_down(s.largest_axial_stiffness, 6)} N at this step")
         elif not math.isinf(s.highest_frequency):
-            text.append(f"all springs could be {s.largest_spring_factor:.4g} times as stiff")
+            text.append(f"all springs could be {rounded_down(s.largest_spring_factor, 4)} times as stiff")
         if s.largest_bending_stiffness is not None:
-            text.append(f"largest EI {s.largest_bending_stiffness:.6g} N m^2 at this step")
+            text.append(f"largest EI {rounded_down(s.largest_bending_stiffness, 6)} N m^2 at this step")
         return text
 
     def __str__(self) -> str:

@@ -26,6 +26,7 @@ from ropewalk.engine.broken import ACCOUNTED
 from ropewalk.engine.unsolved import CALMER
 from ropewalk.lowering import Layout
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.words.bounds import longest_step
 
 Floats = NDArray[np.float64]
 
@@ -321,7 +322,7 @@ def _text(
         if theory.bound > 0.0:
             law = (
                 f"The step of {milliseconds(theory.step)} is above the largest stable one of "
-                f"{theory.method}, {milliseconds(theory.bound)}"
+                f"{theory.method}, {longest_step(theory.bound)}"
             )
         else:
             law = f"{theory.method} has no stable step here"
@@ -333,7 +334,7 @@ def _text(
         )
     found = f": {reason}" if reason else ""
     shorter = f"time_step = {0.5 * theory.step:.3g} s"
-    stable = f"The step is stable ({milliseconds(theory.step)} of {milliseconds(theory.bound)})"
+    stable = f"The step is stable ({milliseconds(theory.step)} of {longest_step(theory.bound)})"
     if math.isinf(theory.bound):
         stable = f"{theory.method} is stable at any step"
     # of what a limiter gives the ledger cannot tell whether it was its to give

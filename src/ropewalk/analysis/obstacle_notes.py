@@ -6,14 +6,17 @@ import math
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.laws.hardening import depth_under
+from ropewalk.laws.obstacle import radius_of
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
-from ropewalk.lowering.obstacle_checks import turned_rate
+from ropewalk.lowering.obstacle_checks import loading_each_other, radius_with_rope, turned_rate
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene.obstacles import Cylinder, thinnest, what_is_thin
+from ropewalk.scene.obstacles import Cylinder, Obstacle, thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
+from ropewalk.words.bounds import rounded_down
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
 _ALONG = math.sqrt(0.5)  # cosine of 45 degrees
@@ -30,52 +33,75 @@ def _goes_along(model: Model, body: Cylinder) -> bool:
 
 def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence for everything that a scene with obstacles does otherwise than its user may think."""
-    scene, system = model.scene, model.system
-    if not scene.obstacles:
+    if not model.scene.obstacles:
         return []
-    found = []
-    table = system.node.obstacle
-    longest = max(rope.segment_length for rope in scene.ropes)
-    thick = float(table.thickness.max())
     step = model.plan.dt if model.plan.longest is None else model.plan.longest
     way = _speed(model, statics) * step
     # Implicit methods solve a step that would go through again in halves: they need no word.
     whole = not METHODS[model.plan.method].implicit
-    for row, body in enumerate(scene.obstacles):
-        name, radius, measure = (
-            f"obstacle {body.name!r}",
-            thinnest(body) + thick,
-            what_is_thin(body),
-        )
-        reached = measure == "radius" or not isinstance(body, Cylinder) or _goes_along(model, body)
-        if longest > 2.0 * radius and reached:
-            found.append(
-                f"{name}: segments of {1e3 * longest:.4g} mm are longer than twice its {measure} "
-                f"({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes touch, and a run "
-                "in which it would slip through between two of them ends there; take more segments"
-            )
+    found = []
+    for row, body in enumerate(model.scene.obstacles):
+        name, measure = f"obstacle {body.name!r}", what_is_thin(body)
+        found += _long_segments(model, body)
+        radius = radius_with_rope(model.system, body)
         if whole and way > radius:
             found.append(
                 f"{name}: a node may move {1e3 * way:.4g} mm in a step, more than its {measure} "
                 f"({1e3 * radius:.4g} mm): a run in which one goes through ends there; take steps of at "
-                f"most {1e3 * step * radius / way:.3g} ms"
+                f"most {rounded_down(1e3 * step * radius / way)} ms"
             )
-        turn = turned_rate(system, row, body) * step
+        turn = turned_rate(model.system, row, body) * step
         if turn > _TURNS:
             found.append(
                 f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, and friction there points "
-                f"up to half of that aside; take steps of at most {1e3 * step * _TURNS / turn:.3g} ms"
+                f"up to half of that aside; take steps of at most {rounded_down(1e3 * step * _TURNS / turn)} "
+                "ms"
             )
-        what, force = _presses(model, statics, row)
-        yields = float(depth_under(table, force)[row].max())
-        least = min(radius, thick) if thick > 0.0 else radius
-        if yields > _YIELDS * least:
-            enough = rounded(_YIELDS * least / force)
-            found.append(
-                f"{name}: {what} presses it in by {1e3 * yields:.3g} mm; give it a compliance of at most "
-                f"{enough} m/N where that matters"
-            )
+        found += _yielding(model, statics, row)
     return found
+
+
+def _long_segments(model: Model, body: Obstacle) -> list[str]:
+    """Return a sentence where segments may pass an obstacle between two nodes, of the rope that most may.
+
+    Each rope has its own thickness: a thick one elsewhere helps no thin one.
+    """
+    measure, ropes = what_is_thin(body), model.scene.ropes
+    if measure == "half length" and isinstance(body, Cylinder) and not _goes_along(model, body):
+        return []
+    radii = [thinnest(body) + radius_of(rope) for rope in ropes]
+    long = [
+        (rope.segment_length / radius, rope, radius)
+        for rope, radius in zip(ropes, radii, strict=True)
+        if rope.segment_length > 2.0 * radius
+    ]
+    if not long:
+        return []
+    _, rope, radius = max(long, key=lambda one: one[0])
+    whose = f" of rope {rope.name!r}" if len(ropes) > 1 else ""
+    return [
+        f"obstacle {body.name!r}: segments{whose} of {1e3 * rope.segment_length:.4g} mm are longer than "
+        f"twice its {measure} ({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes "
+        "touch, and a run in which it would slip through between two of them ends there; take more segments"
+    ]
+
+
+def _yielding(model: Model, statics: Statics, row: int) -> list[str]:
+    """Return a sentence where an obstacle may yield by much of its own radius, or of a rope's."""
+    body, table = model.scene.obstacles[row], model.system.node.obstacle
+    found = []
+    for what, force in _presses(model, statics, row).items():
+        depth, thick = depth_under(table, force)[row], table.thickness
+        least = np.where(thick > 0.0, thick, thinnest(body))
+        worst = int(np.argmax(depth - _YIELDS * least))
+        found.append((float(depth[worst]), what, float(_YIELDS * least[worst]), float(force[worst])))
+    yields, what, allowed, force = max(found, key=lambda one: one[0] - one[2])
+    if not yields > allowed:
+        return []
+    return [
+        f"obstacle {body.name!r}: {what} presses it in by {1e3 * yields:.3g} mm; give it a compliance of "
+        f"at most {rounded(allowed / force)} m/N where that matters"
+    ]
 
 
 def _speed(model: Model, statics: Statics) -> float:
@@ -91,13 +117,18 @@ def _speed(model: Model, statics: Statics) -> float:
     return driven_speed(system) if alone else fastest(system, state)
 
 
-def _presses(model: Model, statics: Statics, row: int) -> tuple[str, float]:
-    """Return what may press a node most into an obstacle, in words, and its force [N]."""
-    weight = float(np.linalg.norm(model.system.gravity) * model.state.mass.sum())
-    found = [("all weight on one node", weight)]
+def _presses(model: Model, statics: Statics, row: int) -> dict[str, Floats]:
+    """Return what may press a node most into an obstacle, in words, and its force by nodes [N], (n,)."""
+    gravity, mass = float(np.linalg.norm(model.system.gravity)), model.state.mass
+    weight, push = np.zeros(mass.size), np.zeros(mass.size)
+    for group in loading_each_other(model.scene):
+        nodes = [np.arange(one.first, one.last + 1) for one in map(model.layout.ropes.__getitem__, group)]
+        own = np.concatenate(nodes)
+        weight[own] = gravity * mass[own].sum()
     if statics.solved and statics.contacts is not None:
-        push = statics.contacts.push[statics.contacts.obstacle == row]
-        found.append(("what a node carries at rest", float(push.max(initial=0.0))))
+        contacts, on_it = statics.contacts, statics.contacts.obstacle == row
+        np.maximum.at(push, contacts.node[on_it], contacts.push[on_it])
+        what = "what a node carries at rest"
     else:
-        found.append(("the largest force on a node of the drawn shape", pressing(model)))
-    return max(found, key=lambda one: one[1])
+        push[:], what = pressing(model), "the largest force on a node of the drawn shape"
+    return {"all weight on one node": weight, what: push}

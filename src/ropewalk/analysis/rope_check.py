@@ -12,7 +12,7 @@ from ropewalk.analysis.strains import strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import slopes_at_rest
-from ropewalk.record.end_weight import anchor_beside, is_end_weight
+from ropewalk.record.end_weight import MORE, anchor_beside, is_end_weight
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
@@ -55,7 +55,9 @@ class RopeCheck:
     short: int  # segments that start more than 1 % shorter than their rest length
     made_of: str = ""  # which rope of the library it is, and what was changed
     curve: str = ""  # of its tension against strain, in words
-    utilisation: float | None = None  # at rest, tension over breaking load [1]; None if not known
+    # At rest, the largest tension, or what the anchor beside it bears, over the breaking load [1];
+    # None if not known.
+    utilisation: float | None = None
     rests: bool = True  # whether it is at rest in that shape, or near to it
     parts: bool = False  # whether it parts at its breaking load
     doubt: str = ""  # what guesses make of the utilisation
@@ -64,6 +66,14 @@ class RopeCheck:
     largest_anchor_force: float | None = (
         None  # beside the largest tension, where it is half a segment's weight more [N]
     )
+
+    @property
+    def parts_at_rest(self) -> bool:
+        """Whether a segment parts as the rope is: anchors bear more than the segments beside them."""
+        if self.utilisation is None or not self.parts:
+            return False
+        most = max(self.largest_tension, self.largest_anchor_force or 0.0)
+        return self.utilisation * self.largest_tension > most
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -78,13 +88,16 @@ class RopeCheck:
             "" if self.largest_strain is None else f", strain {strain_words(self.largest_strain)}"
         )
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
-        if self.largest_anchor_force is not None:
-            bears = prefixed(self.largest_anchor_force, "N", 5)
+        more = self.largest_anchor_force or 0.0
+        if more > (1.0 + MORE) * self.largest_tension:
+            bears = prefixed(more, "N", 5)
             text.append(f"  at rest: its anchor bears {bears}, half a segment's weight more")
         if self.largest_push > 0.0:
             text.append(f"  at rest: largest push {prefixed(self.largest_push, 'N', 5)}")
         if self.utilisation is not None:
-            beyond = "it parts" if self.parts else "it would have parted"
+            beyond = "it would have parted"
+            if self.parts:
+                beyond = "it parts" if self.parts_at_rest else "with more segments it parts"
             doubt = f"; {self.doubt}" if self.doubt else ""
             text.append(f"  at rest: {margin_words(self.utilisation, beyond)}{doubt}")
         if self.slack or self.short:
@@ -120,7 +133,8 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut, largest = tension > 0.0, float(tension.max(initial=0.0))
-    use = None if load is None else largest / load
+    borne = _anchor_force(model, statics, span.start + int(np.argmax(tension)))
+    use = None if load is None else max(largest, borne or 0.0) / load
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
     stretched = np.linalg.norm(
         np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
@@ -146,7 +160,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         doubt="" if use is None else doubt_of(rope.made_of, use),
         worst=None if use is None else worst_of(rope.made_of, use),
         largest_push=largest_push(tension, statics.residual),
-        largest_anchor_force=_anchor_force(model, statics, span.start + int(np.argmax(tension))),
+        largest_anchor_force=borne,
     )
 
 
@@ -157,7 +171,7 @@ def _anchor_force(model: Model, statics: Statics, segment: int) -> float | None:
         return None
     force = float(np.linalg.norm(statics.reactions[row]))
     tension = float(statics.tension[segment])
-    more = is_end_weight(model.scene, model.layout, segment, tension, force)
+    more = is_end_weight(model.scene, model.layout, segment, tension, force, least=0.0)
     return force if more else None
 
 

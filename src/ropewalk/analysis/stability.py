@@ -30,6 +30,7 @@ from ropewalk.methods.bound import (
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics
+from ropewalk.words.bounds import longest_step, rounded_down
 from ropewalk.words.percents import percent
 
 # Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
@@ -170,7 +171,7 @@ class Stability:
     @property
     def verdict(self) -> str:
         """One sentence."""
-        bound = f"largest stable step of {self.method} {milliseconds(self.bound)}"
+        bound = f"largest stable step of {self.method} {longest_step(self.bound)}"
         if self.tolerance is not None:
             tolerance = f"{1e3 * self.tolerance:.4g} mm"
             return f"stable at any step; {self.method} chooses steps to a tolerance of {tolerance}"
@@ -208,14 +209,6 @@ class Stability:
 
     def __repr__(self) -> str:
         return f"Stability: {self.verdict}."
-
-
-def rounded_down(value: float) -> str:
-    """Return a positive number with three digits, never above it."""
-    if not math.isfinite(value) or value <= 0.0:
-        return f"{value:g}"
-    unit = 10.0 ** (math.floor(math.log10(value)) - 2)
-    return f"{float(f'{math.floor(value / unit * (1.0 + 1e-12)) * unit:.3g}'):.10g}"
 
 
 def milliseconds(seconds: float) -> str:

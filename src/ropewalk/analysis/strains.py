@@ -165,7 +165,7 @@ def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
         if not rope.parts or rope.utilisation is None or worst is None or worst <= _NEAR_PARTING:
             continue
         then, as_given = (
-            (when, rope.utilisation > 1.0)
+            (when, rope.parts_at_rest)
             if worst > 1.0
             else ("with little more", rope.utilisation > _NEAR_PARTING)
         )

@@ -24,6 +24,7 @@ from ropewalk.motions.velocity import INTERVAL, WAY
 from ropewalk.motions.whereabouts import place_now
 from ropewalk.scene.obstacles import has_mass, is_free, name_of
 from ropewalk.words.annotations import unquoted
+from ropewalk.words.bounds import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.laws.obstacle import Obstacles
@@ -228,7 +229,7 @@ class ObstacleHandle:
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         if speed > fastest * (1.0 + _EVEN):
             step = self._step
-            rule = f"in steps of {step:.3g} s it would jump over nodes; at most {fastest:.4g} m/s"
+            rule = f"in steps of {step:.3g} s it would jump over nodes; at most {rounded_down(fastest, 4)} m/s"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         bodies, row, place = self._simulation.bodies, self._row, self.position
         bodies.kind[row] = _VELOCITY
@@ -241,7 +242,7 @@ class ObstacleHandle:
         if abs(rate) > (most := self.fastest_turn) * (1.0 + _EVEN):
             step = self._step
             does = "jump over nodes" if most < self._half_turn else "turn by more than half"
-            rule = f"in steps of {step:.3g} s it would {does}; at most {most:.4g} rad/s"
+            rule = f"in steps of {step:.3g} s it would {does}; at most {rounded_down(most, 4)} rad/s"
             raise ValueError(f"rate: {rate:.4g} rad/s - {rule}")
         bodies, row, angle = self._simulation.bodies, self._row, self.angle
         bodies.turning[row] = _VELOCITY

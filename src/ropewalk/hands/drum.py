@@ -10,6 +10,7 @@ from ropewalk.laws.slides.table import room_of
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.words.annotations import unquoted
+from ropewalk.words.bounds import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation
@@ -52,7 +53,7 @@ class WinchHandle:
         most = WINCH_SHARE * float(self._winches.segment[self._row]) / plan.dt
         if plan.tolerance is None and abs(speed) > most:
             raise ValueError(
-                f"speed: {speed:g} - must be at most {most:.4g} m/s, a fifth of a segment a step"
+                f"speed: {speed:g} - must be at most {rounded_down(most, 4)} m/s, a fifth of a segment a step"
             )
         self._simulation.turn_by_hand(self._row, speed)
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ropewalk.knots import drawn, hitches
 from ropewalk.knots.course import Curve
+from ropewalk.words.bounds import rounded_up
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -185,7 +186,7 @@ def faults(
         elif ring_radius is not None and name == "munter":
             need = 2.0 * (post_radius + (1.0 + slack) * diameter)
             if not ring_radius >= need:
-                rule = f"must be at least {need:.4g} m, for the rope to have room in the ring"
+                rule = f"must be at least {rounded_up(need, 4)} m, for the rope to have room in the ring"
                 found.append(("ring_radius", ring_radius, rule))
     if ring_radius is not None and name in HITCHES and name != "munter":
         found.append(("ring_radius", ring_radius, "leave it out: only a munter is tied on a ring"))

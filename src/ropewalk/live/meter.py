@@ -9,8 +9,6 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.linear_theory import stiffest
 from ropewalk.analysis.stability import (
     Stability,
-    milliseconds,
-    rounded_down,
     stability,
 )
 from ropewalk.engine.unsolved import RINGING
@@ -20,6 +18,7 @@ from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.steps import step_cases
 from ropewalk.methods.bound import meter
 from ropewalk.methods.registry import METHODS
+from ropewalk.words.bounds import longest_step, rounded_down
 
 GREEN = 0.9  # of the bound
 _FRICTION = {"semi-implicit-euler": (2.0, "a + 2b"), "verlet": (4.0, "a + 4b")}
@@ -115,10 +114,10 @@ def _verdict(method: str, dt: float, bound: float, stable: bool) -> str:
         small = " for small motions" if method in RINGING else ""
         return f"stable{small}: {method} has no largest step here"
     if stable:
-        return f"stable: {100.0 * dt / bound:.0f} % of the largest step of {milliseconds(bound)}"
+        return f"stable: {100.0 * dt / bound:.0f} % of the largest step of {longest_step(bound)}"
     if bound == 0.0:
         return f"unstable: {method} has no stable step here"
-    return f"unstable: {dt / bound:.3g} times the largest step of {milliseconds(bound)}"
+    return f"unstable: {dt / bound:.3g} times the largest step of {longest_step(bound)}"
 
 
 def _remedies(dt: float, bound: float, stable: bool, steps: dict[str, float]) -> list[str]:

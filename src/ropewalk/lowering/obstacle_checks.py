@@ -21,6 +21,7 @@ from ropewalk.scene.faults import Fault
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.scene.motions import Fixed, Shake, Table, Velocity
 from ropewalk.scene.obstacles import Cylinder, Obstacle, is_free, thinnest, what_is_thin
+from ropewalk.words.bounds import rounded_down
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi
@@ -100,8 +101,8 @@ def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
 
 
 def radius_with_rope(system: System, body: Obstacle) -> float:
-    """Return a body's least radius, with half the diameter of the thickest rope [m]."""
-    return thinnest(body) + float(system.node.obstacle.thickness.max(initial=0.0))
+    """Return a body's least radius, with half the diameter of the thinnest rope [m]."""
+    return thinnest(body) + float(system.node.obstacle.thickness.min())
 
 
 def thin_along(
@@ -109,7 +110,7 @@ def thin_along(
 ) -> tuple[float, str]:
     """Return how thin a body is along `ways` (w, 3) [m], and what that is.
 
-    Half of the thickest rope is counted in. A disc that moves in its own plane has its radius to go.
+    Half of the thinnest rope is counted in. A disc that moves in its own plane has its radius to go.
     None stands for any way.
     """
     turned = system.node.obstacle.sweeps[row]
@@ -150,7 +151,7 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
                 f"is {1e3 * speed * step:.4g} mm in a step of {1e3 * step:.4g} ms, more than the "
                 f"{measure} of {body.name!r} ({1e3 * radius:.4g} mm, the rope's half diameter "
                 f"counted in): it would jump over nodes; take a run.time_step of at most "
-                f"{radius / speed:.2g} s"
+                f"{rounded_down(radius / speed, 2)} s"
             )
             which = "motion" if moves(system.node.obstacle, row) else "spin"
             faults.append(Fault(f"obstacle[{row}].{which}", f"up to {speed:.4g} m/s", rule))
@@ -159,7 +160,7 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
             rule = (
                 f"is {math.degrees(rate * step):.4g} degrees in a step of {1e3 * step:.4g} ms: friction "
                 "turns with the body, and would point backwards; take a run.time_step of at most "
-                f"{math.pi / rate:.2g} s, better a tenth of that"
+                f"{rounded_down(math.pi / rate, 2)} s, better a tenth of that"
             )
             faults.append(Fault(f"obstacle[{row}].spin", f"up to {rate:.4g} rad/s", rule))
     if faults:
@@ -239,6 +240,15 @@ def _crosses(table: Obstacles, row: int, i: int, inverse_mass: Floats, places: F
     return bool(lies_across(table, row, i, a, b))
 
 
+def loading_each_other(scene: Scene) -> list[list[int]]:
+    """Return the numbers of ropes group by group, of which each may carry the weight of its whole group."""
+    together = scene.contact is not None or len(scene.slides) > 0
+    together |= any(map(is_free, scene.obstacles))
+    if together:
+        return [list(range(len(scene.ropes)))]
+    return [list(group) for group in tied_ropes(scene.ropes, scene.joints)]
+
+
 def squeeze(scene: Scene, system: System, state: State, layout: Layout) -> Floats:
     """Return how deep nodes can be pressed in by weight and the tensions at the start [m], (k, n).
 
@@ -251,10 +261,7 @@ def squeeze(scene: Scene, system: System, state: State, layout: Layout) -> Float
     pull = np.where(gives, state.stiffness, 0.0) * np.maximum(size - state.rest_length, 0.0)
     gravity = float(np.linalg.norm(system.gravity))
     force: Any = np.zeros(state.mass.size)  # of each node
-    together = scene.contact is not None or len(scene.slides) > 0
-    together |= any(map(is_free, scene.obstacles))
-    numbers = range(len(scene.ropes))
-    for group in [list(numbers)] if together else tied_ropes(scene.ropes, scene.joints):
+    for group in loading_each_other(scene):
         spans = [layout.ropes[k] for k in group]
         weight = sum(float(state.mass[s.first : s.last + 1].sum()) for s in spans) * gravity
         most = max(float(pull[s.first : s.last].max(initial=0.0)) for s in spans)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.record.margins import breaking_load
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
     from ropewalk.scene import Scene
 
-_MORE = 0.01  # [1] of the tension: an anchor that bears so much more is told
+MORE = 0.01  # [1] of the tension: an anchor that bears so much more is told
 _ROUNDING = 0.02  # [1] of half a segment's weight
 
 
@@ -42,12 +43,17 @@ def anchor_beside(scene: Scene, layout: Layout, segment: int) -> int | None:
     return None
 
 
-def is_end_weight(scene: Scene, layout: Layout, segment: int, tension: float, force: float) -> bool:
-    """Tell whether an anchor bears more than the tension beside it [N], by half of that segment's weight."""
+def is_end_weight(
+    scene: Scene, layout: Layout, segment: int, tension: float, force: float, least: float = MORE
+) -> bool:
+    """Tell whether an anchor bears more than the tension beside it [N], by half of that segment's weight.
+
+    And more by the `least` of the tension [1].
+    """
     rope = scene.rope_named(layout.rope_of(segment)[0])
     half = 0.5 * rope.own_mass / rope.segments * math.hypot(*scene.gravity)
     more = force - tension
-    return tension > 0.0 and _MORE * tension < more <= half * (1.0 + _ROUNDING)
+    return tension > 0.0 and least * tension < more <= half * (1.0 + _ROUNDING)
 
 
 def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
@@ -68,7 +74,9 @@ def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
     if not is_end_weight(result.scene, result.layout, peak.place, peak.value, force):
         return ""
     more = percent(100.0 * (force / peak.value - 1.0))
+    load = breaking_load(result.scene.rope_named(result.layout.rope_of(peak.place)[0]))
+    share = "" if load is None else f", {percent(100.0 * force / load, 3)} of the breaking load"
     return (
-        f"the anchor bears {force:.6g} N, half a segment's weight more ({more}); "
+        f"the anchor bears {force:.6g} N, half a segment's weight more ({more}){share}; "
         "more segments bring the two together"
     )

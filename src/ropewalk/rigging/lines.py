@@ -28,6 +28,7 @@ from ropewalk.scene.faults import MISSING, NO_VALUE
 from ropewalk.scene.from_library import entry
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory import Cable, elastic_catenary
+from ropewalk.words.bounds import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.rigging.rolling import Rolling
@@ -344,7 +345,7 @@ def _refuse_length(size: float, shortest: float, chord: float, rigid: bool, give
         rule += ", and this rope does not stretch" if rigid else most
         raise SceneError([Fault("length", given, rule)])
     if size > _SLACKEST * chord:
-        raise SceneError([Fault("length", given, f"must be at most {_SLACKEST * chord:.6g} m")])
+        raise SceneError([Fault("length", given, f"must be at most {rounded_down(_SLACKEST * chord, 6)} m")])
 
 
 def _slackest(pull: Callable[[float], float], shortest: float, chord: float) -> float:

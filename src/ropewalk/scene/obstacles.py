@@ -178,7 +178,14 @@ def name_of(body: Obstacle, row: int) -> str:
 
 def what_is_thin(body: Obstacle) -> str:
     """Return what `thinnest` measures of a body."""
-    return "half length" if body.kind == "cylinder" and thinnest(body) < body.radius else "radius"
+    match body.kind:
+        case "cylinder" if thinnest(body) < body.radius:
+            return "half length"
+        case "box" | "mesh" | "sdf":
+            return "edges' radius"
+        case "torus":
+            return "bar's radius"
+    return "radius"
 
 
 def thinnest(body: Obstacle) -> float:

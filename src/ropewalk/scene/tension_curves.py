@@ -17,6 +17,7 @@ from ropewalk.scene.csv_columns import folder_of
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.limits import HUGE
 from ropewalk.theory.curve import at_strain, at_tension, is_straight, pieces_of, slope_range
+from ropewalk.words.bounds import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -259,7 +260,7 @@ class ExponentialCurve(CurveModel):
     def _check(self) -> ExponentialCurve:
         if np.exp(min(self.growth * self.largest_strain, 700.0)) > _RATIO:
             most = np.log(_RATIO) / self.growth
-            rule = f"must be at most {most:.4g} with this growth: the slope there is {_RATIO:g} EA"
+            rule = f"must be at most {rounded_down(most, 4)} with this growth: the slope there is {_RATIO:g} EA"
             refuse([Fault("largest_strain", self.largest_strain, rule)])
         return self
 

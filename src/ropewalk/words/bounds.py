@@ -1,0 +1,32 @@
+"""Numbers for people that are bounds: rounded to the safe side, never to the nearest."""
+
+from __future__ import annotations
+
+import math
+
+_EXACT = 1e-12  # [1] what a product of such numbers may be off by rounding
+
+
+def rounded_down(value: float, figures: int = 3) -> str:
+    """Return a positive number with so many figures, never above it."""
+    if not math.isfinite(value) or value <= 0.0:
+        return f"{value:g}"
+    unit = 10.0 ** (math.floor(math.log10(value)) - figures + 1)
+    whole = math.floor(value / unit * (1.0 + _EXACT))
+    return f"{float(f'{whole * unit:.{figures}g}'):.10g}"
+
+
+def rounded_up(value: float, figures: int = 3) -> str:
+    """Return a positive number with so many figures, never below it."""
+    if not math.isfinite(value) or value <= 0.0:
+        return f"{value:g}"
+    unit = 10.0 ** (math.floor(math.log10(value)) - figures + 1)
+    whole = math.ceil(value / unit * (1.0 - _EXACT))
+    return f"{float(f'{whole * unit:.{figures}g}'):.10g}"
+
+
+def longest_step(seconds: float) -> str:
+    """Return the largest step that is stable, or allowed, in milliseconds: never above it."""
+    if math.isinf(seconds):
+        return "unlimited"
+    return "0" if seconds == 0.0 else f"{rounded_down(1e3 * seconds, 4)} ms"
