@@ -185,7 +185,9 @@ def beside_a_thick_rope(more: str = "") -> rw.Scene:
     """A rope of 10 mm and segments of 0.2 m past a bar, and one of 120 mm, 5 m away."""
     thin = ROPE.replace("segments = 20", "segments = 5") % ("0.2", "0.2")
     thick = ROPE[ROPE.index("[[rope]]") :] % ("0.3", "0.3")
-    thick = thick.replace("0.01", "0.12").replace("mass_per_length = 0.05", "mass_per_length = 50.0")
+    thick = thick.replace("0.01", "0.12").replace(
+        "mass_per_length = 0.05", "mass_per_length = 50.0"
+    )
     thick = thick.replace("-0.5, 0,", "-0.5, 5.0,").replace("[0.5, 0,", "[0.5, 5.0,")
     names = "[[anchor]]\nrope = '%s'\nnode = 0\n[[anchor]]\nrope = '%s'\nnode = -1\n"
     ropes = thin.replace("[[rope]]", "[[rope]]\nname = 'thin'")
@@ -202,8 +204,13 @@ def test_a_thick_rope_elsewhere_hides_no_warning_of_a_thin_one() -> None:
     ):
         told = [one for one in rw.check(scene, measure=False).warnings if "'bar'" in one]
         assert any(whose in one and "twice its radius (55 mm" in one for one in told)
-        assert not any("all weight on one node" in one and "of at most 1e-06" in one for one in told)
-    quick = {"kind": "velocity", "velocity": (0.0, 0.0, 20.0)}  # 80 mm in a step: a jump for the thin one
+        assert not any(
+            "all weight on one node" in one and "of at most 1e-06" in one for one in told
+        )
+    quick = {
+        "kind": "velocity",
+        "velocity": (0.0, 0.0, 20.0),
+    }  # 80 mm in a step: a jump for the thin one
     with pytest.raises(SceneError, match=r"more than the radius of 'bar' \(55 mm"):
         build(scene.replace(obstacles=[scene.obstacles[0].replace(motion=quick)]))
 

@@ -213,3 +213,39 @@ def test_a_mode_that_creeps_has_no_natural_frequency() -> None:
     )
     assert np.isnan(creeps.table[-1]["natural frequency [Hz]"])
     assert not np.isnan(rings.natural_frequencies).any()
+
+
+def test_modes_of_a_rope_that_is_folded_back_are_not_along_it() -> None:
+    """A sling with both ends at one point, 5 kg in its middle: it swings as a pendulum, to both sides alike.
+
+    At a node with its segments back to back the tangent was a billion times too long, and level.
+    """
+    line = rw.Material(EA=1e5, mass_per_length=0.1)
+    points = [(0.0, 0.0, -0.25 * min(i, 8 - i)) for i in range(9)]
+    sling = Rope(
+        length=2.0, segments=8, made_of=line, loads=[rw.Load(node=4, mass=5.0)],
+        shape=rw.scene.Points(points=points),
+    )  # fmt: skip
+    found = rw.modes(Scene(ropes=[sling], anchors=[Anchor(node=0), Anchor(node=-1)]), count=2)
+    arm = float(found.positions[:, 2].min()) * -1.0
+    slow = np.sqrt(9.81 / arm) / (2.0 * np.pi)
+    assert found.frequencies == pytest.approx([slow, slow], rel=0.02)
+    for motion in found.motions:
+        assert motion.name == "sideways"
+        assert motion.along < 1e-6
+        assert motion.in_plane + motion.out_of_plane == pytest.approx(1.0)
+
+
+def test_rounding_is_no_mode_that_grows() -> None:
+    """Two anchors 1 m above the ground, and a rope that lies there with friction: it is free sideways."""
+    line = rw.Material(EA=1e5, mass_per_length=0.5)
+    rope = Rope(
+        length=8.0, segments=20, made_of=line,
+        shape=rw.scene.Slack(start=(0.0, 0.0, 1.0), end=(5.0, 0.0, 1.0)),
+    )  # fmt: skip
+    lies = Scene(ropes=[rope], anchors=[Anchor(node=0), Anchor(node=-1)], ground=rw.scene.Ground())
+    found = rw.modes(lies, count=20)
+    free = np.abs(found.eigenvalues) < 1e-9
+    assert free.any()
+    assert (found.eigenvalues[free] == 0.0).all()
+    assert (found.eigenvalues.real <= 0.0).all()

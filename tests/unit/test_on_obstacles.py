@@ -343,3 +343,30 @@ def test_the_slope_that_friction_holds_is_that_of_the_least() -> None:
     both = sliding_words((lies("ice", 0.1), lies("post", 0.5)))
     assert f"{math.degrees(math.atan(0.1)):.4g} degrees with the least of them" in both
     assert "26.57 degrees, and" in sliding_words((lies("post", 0.5),) * 2)
+
+
+@pytest.mark.parametrize(("bearing", "stands"), [(0.0, False), (50.0, True)])
+def test_check_says_that_a_free_wheel_is_held_still(bearing: float, stands: bool) -> None:
+    """A rope from an anchor over it with 5 kg: "at rest" was said, as of a wheel that is held."""
+    arc = [(0.0508 * math.cos(a), 0.0, 0.0508 * math.sin(a)) for a in np.linspace(math.pi, 0.0, 17)]
+    over = Polyline(points=[(-0.0508, 0, -0.1), *arc, (0.0508, 0, -0.1)])
+    made_of = Material(EA=1e4, mass_per_length=0.05)
+    rope = Rope(
+        segments=24, length=0.2 + 0.0508 * math.pi, diameter=0.001, made_of=made_of, shape=over,
+        loads=[rw.Load(node=-1, mass=5.0)],
+    )  # fmt: skip
+    wheel = Cylinder(
+        name="wheel", start=(0, -0.1, 0), end=(0, 0.1, 0), radius=0.05, friction=0.5,
+        spin=rw.scene.Spin(free=True, inertia=2.0, bearing=bearing),
+    )  # fmt: skip
+    found = rw.check(
+        Scene(ropes=[rope], anchors=[Anchor(node=0)], obstacles=[wheel]), measure=False
+    )
+    assert found.statics.solved
+    told = [
+        text for text in found.warnings if "held still here, and turns when it is let go" in text
+    ]
+    assert bool(told) is not stands
+    (pulley,) = found.as_dict()["statics"]["pulleys"]  # type: ignore[index]
+    assert pulley["stands"] is stands
+    assert pulley["torque"] == pytest.approx(found.statics.pulleys[0].torque)

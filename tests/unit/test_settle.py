@@ -36,6 +36,15 @@ def rod(**more: object) -> Scene:
     return plain.replace(ropes=(plain.ropes[0].replace(made_of=stiff, length=0.5),))
 
 
+def afloat(weight: float, **more: object) -> Scene:
+    """The same cord in water, of this weight there [N/m]."""
+    plain = scene(**more)
+    cord = plain.ropes[0].replace(
+        made_of=Material(EA=50.0, mass_per_length=0.2), length=0.5, submerged_weight=weight
+    )
+    return plain.replace(ropes=(cord,))
+
+
 WIND = Air(node_drag=0.1, wind=(1.0, 0.0, 0.0))
 
 
@@ -50,6 +59,11 @@ WIND = Air(node_drag=0.1, wind=(1.0, 0.0, 0.0))
         (scene(held=(0,), gravity=(0, 0, 0)), "the part beyond its last anchor has no shape"),
         (rod(held=()), "no anchor holds it, and there is no ground: it falls"),
         (rod(held=(), gravity=(0, 0, 0)), "nothing acts on it: it is at rest wherever it is"),
+        (afloat(0.0), "there is neither weight (buoyancy carries it all) nor wind, so every shape"),
+        (afloat(0.0, held=(0,)), "the part beyond its last anchor has no shape of its own"),
+        (afloat(0.0, held=()), "its weight and buoyancy cancel: it is at rest wherever it is"),
+        (afloat(-2.0, held=()), "no anchor holds it: it rises; hold a node"),
+        (afloat(-2.0, held=(), ground=Ground(height=-1.0)), "no anchor holds it: it rises"),
     ],
 )
 def test_what_is_missing_is_said(source: Scene, words: str) -> None:
@@ -65,6 +79,22 @@ def test_what_is_enough_is_not_refused() -> None:
     rw.equilibrium(scene(end=0.6, gravity=(0, 0, 0)))
     rw.equilibrium(scene(held=(0,), gravity=(0, 0, 0), air=WIND))
     rw.equilibrium(scene(release_time=1.0))  # held at time zero
+    rw.equilibrium(afloat(1e-3))
+    rw.equilibrium(afloat(0.0, end=0.6))
+    sinker = afloat(0.0, held=(0,))
+    rw.equilibrium(
+        sinker.replace(ropes=[sinker.ropes[0].replace(loads=[rw.Load(node=-1, mass=1.0)])])
+    )
+
+
+@pytest.mark.parametrize(
+    ("weight", "said"),
+    [(2.0, "holds it; it falls"), (0.0, "holds it"), (-2.0, "holds it; it rises")],
+)
+def test_check_says_where_ropes_go_that_nothing_holds(weight: float, said: str) -> None:
+    """Of all it was said that they fall."""
+    told = check(afloat(weight, held=()), measure=False).warnings
+    assert any(text.endswith(f"rope 'cord': nothing {said}") for text in told)
 
 
 def test_a_rod_needs_no_weight_to_have_a_shape() -> None:

@@ -106,6 +106,7 @@ class Check:
                 "slack_segments": int(statics.slack.sum()) if rests else None,
                 "spans": [vars(span) for span in statics.spans] if rests else [],
                 "wraps": [wrap.as_dict() for wrap in statics.wraps] if rests else [],
+                "pulleys": [body.as_dict() for body in statics.pulleys] if rests else [],
                 "unheld": statics.unheld,
                 "nodes_on_ground": int(statics.grounded.sum()) if rests else None,
                 "residual": statics.residual if rests else None,
@@ -163,13 +164,19 @@ class Check:
         if s.method == "semi-implicit-euler":
             text.append(f"stability meter a + 2b = {s.meter:.4g} of 4")
         if s.largest_spring_constant is not None:
-            text.append(f"largest spring constant {rounded_down(s.largest_spring_constant, 6)} N/m at this step")
+            text.append(
+                f"largest spring constant {rounded_down(s.largest_spring_constant, 6)} N/m at this step"
+            )
         elif s.largest_axial_stiffness is not None:
             text.append(f"largest EA {rounded_down(s.largest_axial_stiffness, 6)} N at this step")
         elif not math.isinf(s.highest_frequency):
-            text.append(f"all springs could be {rounded_down(s.largest_spring_factor, 4)} times as stiff")
+            text.append(
+                f"all springs could be {rounded_down(s.largest_spring_factor, 4)} times as stiff"
+            )
         if s.largest_bending_stiffness is not None:
-            text.append(f"largest EI {rounded_down(s.largest_bending_stiffness, 6)} N m^2 at this step")
+            text.append(
+                f"largest EI {rounded_down(s.largest_bending_stiffness, 6)} N m^2 at this step"
+            )
         return text
 
     def __str__(self) -> str:

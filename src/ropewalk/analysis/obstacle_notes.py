@@ -94,7 +94,9 @@ def _yielding(model: Model, statics: Statics, row: int) -> list[str]:
         depth, thick = depth_under(table, force)[row], table.thickness
         least = np.where(thick > 0.0, thick, thinnest(body))
         worst = int(np.argmax(depth - _YIELDS * least))
-        found.append((float(depth[worst]), what, float(_YIELDS * least[worst]), float(force[worst])))
+        found.append(
+            (float(depth[worst]), what, float(_YIELDS * least[worst]), float(force[worst]))
+        )
     yields, what, allowed, force = max(found, key=lambda one: one[0] - one[2])
     if not yields > allowed:
         return []
@@ -122,7 +124,9 @@ def _presses(model: Model, statics: Statics, row: int) -> dict[str, Floats]:
     gravity, mass = float(np.linalg.norm(model.system.gravity)), model.state.mass
     weight, push = np.zeros(mass.size), np.zeros(mass.size)
     for group in loading_each_other(model.scene):
-        nodes = [np.arange(one.first, one.last + 1) for one in map(model.layout.ropes.__getitem__, group)]
+        nodes = [
+            np.arange(one.first, one.last + 1) for one in map(model.layout.ropes.__getitem__, group)
+        ]
         own = np.concatenate(nodes)
         weight[own] = gravity * mass[own].sum()
     if statics.solved and statics.contacts is not None:

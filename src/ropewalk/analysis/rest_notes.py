@@ -7,6 +7,7 @@ import numpy as np
 from ropewalk.lowering import Model
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.statics import Statics
+from ropewalk.statics.refusal import weight_left
 from ropewalk.statics.wraps import MANY
 from ropewalk.words.counts import counted
 
@@ -27,13 +28,17 @@ def unheld_warnings(model: Model, statics: Statics) -> list[str]:
     ropes = f"rope{'' if one else 's'} " + ", ".join(map(repr, names[:_NAMED]))
     if len(names) > _NAMED:
         ropes = f"{ropes} and {len(names) - _NAMED} more"
-    them, they = ("it", "it falls") if one else ("them", "they fall")
-    if not np.any(model.system.gravity):
+    them = "it" if one else "them"
+    down = {np.sign(weight_left(model, model.layout.span(name))) for name in names}
+    if not np.any(model.system.gravity) or len(down) > 1 or 0.0 in down:
         return [f"{ropes}: nothing holds {them}"]
     below = bool(model.scene.obstacles) or model.scene.ground is not None
     beside = model.layout.touches and len(statics.unheld) < len(model.layout.ropes)
     if not statics.solved and (below or beside):
         return [f"{ropes}: no anchor holds {them}"]
+    they = "it rises" if one else "they rise"
+    if 1.0 in down:
+        they = "it falls" if one else "they fall"
     return [f"{ropes}: nothing holds {them}; {they}"]
 
 
@@ -70,7 +75,8 @@ def may_say_nothing(model: Model) -> bool:
 def rest_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence where what is said of rest is not of a shape at rest, or of one among many."""
     if statics.solved:
-        return [MANY] if statics.by_friction else []
+        turned = [str(body) for body in statics.pulleys if not body.stands]
+        return turned + ([MANY] if statics.by_friction else [])
     if may_say_nothing(model):
         return [f"{statics.trouble}. What is said of tensions at rest is left out"]
     if not statics.searched:

@@ -102,7 +102,9 @@ def passing(
     long = float(np.linalg.norm(state.x[:, index + 1] - state.x[:, index]))
     if long <= short:  # that is not it: something comes too fast
         return what, one_of(*closer, *slower)
-    more = f"more segments (at most {rounded_down(1e3 * short)} mm long, this one is {1e3 * long:.3g})"
+    more = (
+        f"more segments (at most {rounded_down(1e3 * short)} mm long, this one is {1e3 * long:.3g})"
+    )
     if made.segment_length <= short:  # it is this long because it is stretched
         return what, one_of(more, *slower)
     led = any(one.motion.kind != "fixed" for one in (body, *scene.anchors))

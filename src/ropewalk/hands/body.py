@@ -242,7 +242,9 @@ class ObstacleHandle:
         if abs(rate) > (most := self.fastest_turn) * (1.0 + _EVEN):
             step = self._step
             does = "jump over nodes" if most < self._half_turn else "turn by more than half"
-            rule = f"in steps of {step:.3g} s it would {does}; at most {rounded_down(most, 4)} rad/s"
+            rule = (
+                f"in steps of {step:.3g} s it would {does}; at most {rounded_down(most, 4)} rad/s"
+            )
             raise ValueError(f"rate: {rate:.4g} rad/s - {rule}")
         bodies, row, angle = self._simulation.bodies, self._row, self.angle
         bodies.turning[row] = _VELOCITY

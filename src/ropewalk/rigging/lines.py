@@ -345,7 +345,9 @@ def _refuse_length(size: float, shortest: float, chord: float, rigid: bool, give
         rule += ", and this rope does not stretch" if rigid else most
         raise SceneError([Fault("length", given, rule)])
     if size > _SLACKEST * chord:
-        raise SceneError([Fault("length", given, f"must be at most {rounded_down(_SLACKEST * chord, 6)} m")])
+        raise SceneError(
+            [Fault("length", given, f"must be at most {rounded_down(_SLACKEST * chord, 6)} m")]
+        )
 
 
 def _slackest(pull: Callable[[float], float], shortest: float, chord: float) -> float:

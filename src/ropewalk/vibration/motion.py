@@ -113,9 +113,12 @@ def _tangents(model: Model, x: Floats) -> Floats:
         sums = np.zeros_like(points)
         sums[:-1] += steps
         sums[1:] += steps
+        folds = np.flatnonzero(np.linalg.norm(sums, axis=1) < 1e-9)
+        sums[folds] = steps[
+            np.minimum(folds, len(steps) - 1)
+        ]  # at a fold that of the segment after it
         size = np.linalg.norm(sums, axis=1)
-        sums[size < 1e-9] = [1.0, 0.0, 0.0]
-        tangent[span.start : span.end + 1] = sums / np.maximum(size, 1e-9)[:, None]
+        tangent[span.start : span.end + 1] = sums / np.maximum(size, 1e-300)[:, None]
     return tangent
 
 

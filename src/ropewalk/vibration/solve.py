@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import Floats
 from ropewalk.vibration.flexibility import NoModes, find_inverse, rate, start
 from ropewalk.vibration.linear import Linear
-from ropewalk.vibration.quadratic import Shifted, slowest
+from ropewalk.vibration.quadratic import Shifted, noise, slowest
 
 Complex = NDArray[np.complex128]
 
@@ -156,6 +156,7 @@ def _damped(linear: Linear, count: int) -> tuple[Complex, Complex]:
     else:
         found, vectors, rounding = slowest(linear, count)
         grows = max(_GROWS, rounding)
+    found = np.where(np.abs(found) <= noise(linear), 0.0, found)
     sizes = np.abs(found)
     found = np.where(np.abs(found.imag) <= 1e-9 * sizes, found.real, found)
     rounds = (np.abs(found.real) <= 1e-12 * sizes) | (
