@@ -228,8 +228,8 @@ class ObstacleHandle:
             rule = "its weight turns it, and what moves its pivot would, too; no hand can move it"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         if speed > fastest * (1.0 + _EVEN):
-            step = self._step
-            rule = f"in steps of {step:.3g} s it would jump over nodes; at most {rounded_down(fastest, 4)} m/s"
+            most = rounded_down(fastest, 4)
+            rule = f"in steps of {self._step:.3g} s it would jump over nodes; at most {most} m/s"
             raise ValueError(f"velocity: {speed:.4g} m/s - {rule}")
         bodies, row, place = self._simulation.bodies, self._row, self.position
         bodies.kind[row] = _VELOCITY

@@ -85,8 +85,8 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     if dt > (most := _winch_step(system)):
         fastest = int(np.argmax(np.abs(system.winches.speed) / system.winches.segment))
         rule = (
-            f"must be at most {rounded_down(most, 4)}: in a step winch {scene.winches[fastest].name!r} may wind "
-            "a fifth of a segment"
+            f"must be at most {rounded_down(most, 4)}: in a step winch {scene.winches[fastest].name!r} may "
+            "wind a fifth of a segment"
         )
         raise SceneError([Fault("run.time_step", dt, rule)])
     frames = max(1, round(run.duration / (count * dt)))

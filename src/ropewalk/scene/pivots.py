@@ -39,8 +39,8 @@ def pivot_faults(body: Any, spin: Spin) -> list[Fault]:
     square = spin.mass * _off(body, spin) ** 2
     if spin.inertia is not None and spin.inertia < square * (1.0 - 1e-9):
         rule = (
-            f"must be at least mass times the square of its centre's distance from the axis ({rounded_up(square, 4)} "
-            "kg m^2): it is about the axis, not about the centre of mass"
+            "must be at least mass times the square of its centre's distance from the axis "
+            f"({rounded_up(square, 4)} kg m^2): it is about the axis, not about the centre of mass"
         )
         faults.append(Fault("spin.inertia", spin.inertia, rule))
     return faults

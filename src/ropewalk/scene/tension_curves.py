@@ -259,8 +259,8 @@ class ExponentialCurve(CurveModel):
     @model_validator(mode="after")
     def _check(self) -> ExponentialCurve:
         if np.exp(min(self.growth * self.largest_strain, 700.0)) > _RATIO:
-            most = np.log(_RATIO) / self.growth
-            rule = f"must be at most {rounded_down(most, 4)} with this growth: the slope there is {_RATIO:g} EA"
+            most = rounded_down(np.log(_RATIO) / self.growth, 4)
+            rule = f"must be at most {most} with this growth: the slope there is {_RATIO:g} EA"
             refuse([Fault("largest_strain", self.largest_strain, rule)])
         return self
 
