@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
 from ropewalk.laws.hardening import depth_under
 from ropewalk.laws.obstacle import radius_of
 from ropewalk.lowering import Model
@@ -90,12 +90,12 @@ def _yielding(model: Model, statics: Statics, row: int) -> list[str]:
     """Return a sentence where an obstacle may yield by much of its own radius, or of a rope's."""
     body, table = model.scene.obstacles[row], model.system.node.obstacle
     found = []
-    for what, force in _presses(model, statics, row).items():
-        depth, thick = depth_under(table, force)[row], table.thickness
+    for what, forces in _presses(model, statics, row).items():
+        depth, thick = depth_under(table, forces)[row], table.thickness
         least = np.where(thick > 0.0, thick, thinnest(body))
         worst = int(np.argmax(depth - _YIELDS * least))
         found.append(
-            (float(depth[worst]), what, float(_YIELDS * least[worst]), float(force[worst]))
+            (float(depth[worst]), what, float(_YIELDS * least[worst]), float(forces[worst]))
         )
     yields, what, allowed, force = max(found, key=lambda one: one[0] - one[2])
     if not yields > allowed:
@@ -119,7 +119,7 @@ def _speed(model: Model, statics: Statics) -> float:
     return driven_speed(system) if alone else fastest(system, state)
 
 
-def _presses(model: Model, statics: Statics, row: int) -> dict[str, Floats]:
+def _presses(model: Model, statics: Statics, row: int) -> dict[str, Any]:
     """Return what may press a node most into an obstacle, in words, and its force by nodes [N], (n,)."""
     gravity, mass = float(np.linalg.norm(model.system.gravity)), model.state.mass
     weight, push = np.zeros(mass.size), np.zeros(mass.size)
