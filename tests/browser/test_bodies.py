@@ -123,8 +123,30 @@ def test_a_drum_is_led_turned_and_put_back(open_window: Open, serve: Serve) -> N
     )  # not the anchor
 
 
-def test_a_paused_drum_and_a_bare_floor_are_left_alone(open_window: Open, serve: Serve) -> None:
-    """With another tool a press on a body does nothing to it; beside it the view turns."""
+def test_a_floor_is_led_by_keys(open_window: Open, serve: Serve) -> None:
+    """They moved the first anchor in its place."""
+    floor = """
+[[obstacle]]
+name = "floor"
+kind = "plane"
+point = [0, 0, -0.6]
+normal = [0, 0, 1]
+"""
+    scene = loads(CURTAIN.replace("AWAY", "0.3") + floor)
+    window = open_window(serve(Session(scene)).address, **WIDE).ready()
+    canvas = window.page.locator("#view canvas, canvas").first
+    canvas.focus()
+    for _ in range(60):
+        window.press("Tab")
+        if "Obstacle floor" in (canvas.get_attribute("aria-valuetext") or ""):
+            break
+    assert "at 0 m, 0 m, −0.6 m" in canvas.get_attribute("aria-valuetext")
+    window.press(" ", "ArrowUp")
+    window.until("r.viewport.solids.base('floor')[2] > -0.599")
+    assert window.ask("r.session.frame.parts[0].anchors[2]") == pytest.approx(0.0)
+
+
+def test_a_drum_is_left_alone_by_another_tool(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(Session(over_a_drum())).address, **WIDE).ready()
     window.click("#tool-pin")
     window.drag(on_drum(window), (0, -40))

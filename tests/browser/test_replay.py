@@ -110,6 +110,9 @@ def test_a_cut_up_session_is_played_across_its_parts(
     assert window.ask(f"{FRAMES}.kept.size") <= 32
     window.tell(type="seek", time=0.0)
     window.until(f"r.time === 0 && {anchors} === {before}")
+    window.press("g")
+    window.tell(type="seek", time=270 * session.main.dt)
+    window.until("r.app.graphs.history.first === 0 && r.app.graphs.history.last === r.time")
 
 
 def test_a_run_that_is_damaged_meanwhile_is_told_of(
