@@ -83,7 +83,7 @@ class Exports:
 def _joined(results: Sequence[Result], quantity: str, every: int) -> Table:
     """Return the table of a quantity through all parts of a session.
 
-    Of more than one part it has the part's number in front, and nothing where a part lacks a column.
+    Of more than one part it ends with the part's number, and has nothing where a part lacks a column.
     """
     found = [
         (number, table)
@@ -102,6 +102,6 @@ def _joined(results: Sequence[Result], quantity: str, every: int) -> Table:
             for columns in table.pieces():
                 known, rows = dict(zip(table.headers, columns, strict=True)), len(columns[0])
                 nothing = np.full(rows, "", dtype=object)
-                yield [np.full(rows, number), *(known.get(name, nothing) for name in headers)]
+                yield [*(known.get(name, nothing) for name in headers), np.full(rows, number)]
 
-    return Table(first.name, ["part", *headers], pieces)
+    return Table(first.name, [*headers, "part"], pieces)
