@@ -134,8 +134,25 @@ def test_ticks_of_a_map_do_not_overprint(ea: list[float]) -> None:
         assert len(boxes) >= 2
         pairs = itertools.combinations(boxes, 2)
         assert not any(one.overlaps(other) for one, other in pairs)
-    ticks = {t.get_text() for t in figure.axes[0].get_xticklabels() if t.get_text()}
-    assert {f"{ea[0]:.5g}", f"{ea[-1]:.5g}"} <= ticks  # the ends are told
+    ticks = {float(t.get_text()) for t in figure.axes[0].get_xticklabels() if t.get_text()}
+    assert {ea[0], ea[-1]} <= ticks  # the ends are told
+
+
+def test_labels_of_a_map_stay_beside_it_and_its_numbers_are_of_one_kind() -> None:
+    """A long name ran over the title; 100000 was written "1e+05" beside 10000."""
+    sizes = {"EA": np.array([1e3, 1e4, 1e5]), "length": np.array([1.0, 2.0, 5.0])}
+    data = fake(sizes, np.ones((3, 3)), {"name": "tension_max"})
+    long = "position of the second obstacle along the way from the first one to the anchor"
+    data.length.attrs["long_name"] = data.tension_max.attrs["long_name"] = long
+    figure = sweep(data)
+    figure.draw_without_rendering()
+    title = figure.texts[1].get_window_extent()  # the line below it
+    for axes, unit in zip(figure.axes, ("m", "N"), strict=True):
+        assert axes.get_ylabel().replace("\n", " ") == f"{long} [{unit}]"
+        box = axes.yaxis.label.get_window_extent()
+        assert 0.0 <= box.y0 < box.y1 < title.y0
+    ticks = [t.get_text() for t in figure.axes[0].get_xticklabels()]
+    assert ticks == ["1000", "10000", "100000"]
 
 
 def test_panels_show_every_run_at_its_values() -> None:

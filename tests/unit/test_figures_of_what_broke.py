@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import warnings
+from itertools import combinations
 
 import numpy as np
 import pytest
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FixedLocator
+from matplotlib.transforms import Bbox
 
 import ropewalk as rw
 from ropewalk import plots
 from ropewalk.plots.arcs import laid_lengths, segment_arcs
 from ropewalk.plots.canvas import backdrop
 from ropewalk.plots.movies import _moments, _Painter
+from ropewalk.plots.style import FAINT, scaled_axis
 from ropewalk.plots.tensions import tension_map
 from ropewalk.record.result import Result
 from ropewalk.scene import Force, Straight, Velocity
@@ -111,6 +116,51 @@ def test_a_movie_leaves_out_the_rope_that_broke(hanging: Result) -> None:
     assert not any(artist.get_visible() for artist in painter._forces.artists)
 
 
+def texts_of_ticks(axes: Axes) -> list[Bbox]:
+    """Where the numbers below axes stand in the picture."""
+    low, high = axes.get_xlim()
+    shown = [t.label1 for t in axes.xaxis.get_major_ticks() if low <= t.get_loc() <= high]
+    return [one.get_window_extent() for one in shown if one.get_text()]
+
+
+def test_behind_broken_shapes_lies_what_broke_and_titles_are_apart(
+    hanging: Result, level: Result
+) -> None:
+    """In grey lay the other rope at the end of the run; titles of narrow panels ran into each other."""
+    for result in (hanging, level):
+        figure = plots.film(result)
+        panels = [axes for axes in figure.axes if "broken" in axes.get_title(loc="left")]
+        drawn = [
+            np.asarray(line.get_xydata())
+            for line in panels[0].lines
+            if line.get_color() == FAINT and np.isfinite(line.get_xydata()).any()
+        ]
+        last = result.rope("stiff").positions[result.ends[0].frames - 1]
+        assert len(drawn) == 1
+        np.testing.assert_array_equal(drawn[0], last[:, [0, 2]] if result is level else last[:, 1:])
+        figure.draw_without_rendering()
+        titles = [axes._left_title.get_window_extent() for axes in panels]
+        assert len(titles) == 2
+        assert not titles[0].overlaps(titles[1])
+
+
+def test_numbers_below_narrow_pictures_are_apart(hanging: Result) -> None:
+    """Of one picture of an upright rope, and of its forces, they stood on each other."""
+    for figure in (plots.film(hanging, [3]), plots.forces(hanging)):
+        figure.draw_without_rendering()
+        boxes = texts_of_ticks(figure.axes[0])
+        assert len(boxes) > 1
+        assert not any(one.overlaps(other) for one, other in combinations(boxes, 2))
+
+
+def test_narrow_pictures_of_forces_stand_in_the_middle(hanging: Result) -> None:
+    figure = plots.forces(hanging)
+    figure.draw_without_rendering()
+    above, below = (axes.get_window_extent() for axes in figure.axes[:2])
+    assert above.width < 0.3 * below.width
+    assert below.x0 + 0.3 * below.width < above.x0 < below.x0 + 0.6 * below.width
+
+
 @pytest.fixture(scope="module")
 def parted() -> Result:
     """A rope of 2 m whose middle is pulled away from an anchor: it parts there."""
@@ -190,5 +240,30 @@ def test_an_equilibrium_is_seen_and_called_so() -> None:
     assert [t.get_text() for t in figures[0].axes[1].texts] == [
         "an equilibrium has no energy error"
     ]
-    line = plots.height(rw.simulate(scene.replace(**{"run.duration": 0.1}))).axes[0].lines[0]
-    assert line.get_marker() == "None"  # a run has its curve
+    for figure in (*figures, plots.tension(rest), plots.shape(rest), plots.compare([rest, rest])):
+        assert figure.texts[1].get_text() == "equilibrium"  # it was told as a run of no time
+    labels = [axes.get_ylabel() for axes in plots.tension(rest).axes]
+    assert "tension [N]" in labels  # not the largest since a frame before
+    run = rw.simulate(scene.replace(**{"run.duration": 0.1}))
+    assert plots.height(run).axes[0].lines[0].get_marker() == "None"  # a run has its curve
+    assert "steps, 0 to 0.1 s" in plots.height(run).texts[1].get_text()
+
+
+def test_a_legend_has_the_ground_where_it_is_in_view(level: Result) -> None:
+    for height, named in ((-0.02, True), (-5.0, False)):
+        scene = level.scene.replace(ground={"height": height}, **{"run.duration": 0.1})
+        run = rw.simulate(scene, on_failure="return")
+        names = [line.get_label() for line in plots.height(run).axes[0].lines]
+        assert ("ground" in names) is named
+
+
+def test_numbers_at_axes_of_what_is_zero_are_plain() -> None:
+    """They were "-1.0e+00" to "1.0e+00"."""
+    for size, shown in ((0.0, "0.50"), (1e-14, "5.0e-01"), (3.0, "0.5")):
+        axes = Figure().subplots()
+        axes.set_ylim(0.0, 1.0)
+        axes.set_yticks([0.0, 0.25, 0.5])
+        scaled_axis(axes, "force", "N", size)
+        axes.yaxis.set_major_locator(FixedLocator([0.0, 0.25, 0.5]))
+        axes.figure.draw_without_rendering()
+        assert axes.get_yticklabels()[-1].get_text() == shown

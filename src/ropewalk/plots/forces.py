@@ -10,6 +10,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.collections import LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ropewalk.plots.arcs import arc_label, node_arcs, segment_arcs
 from ropewalk.plots.canvas import (
@@ -70,9 +71,14 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     figure = new_figure(7.2, height + 3.2)
     above, below = figure.subplots(2, 1, height_ratios=[height, 1.7])
     scale, colours, extend = colour_scale([result.tension[frame][result.live[frame]]])
-    pulled = _draw_shape(above, result, seen, frame, scale, colours)
+    pulled = _draw_shape(above, result, seen, frame, height, scale, colours)
     bar = figure.colorbar(
-        ScalarMappable(scale, line_map(colours)), ax=above, extend=extend, pad=0.015, aspect=16
+        ScalarMappable(scale, line_map(colours)),
+        ax=above,
+        extend=extend,
+        pad=0.015,
+        aspect=16,
+        panchor=(0.5, 0.5),
     )
     scaled_axis(bar.ax, result.tension_name, "N", reach(scale))
     _draw_profile(below, result, frame)
@@ -92,9 +98,15 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
 
 
 def _draw_shape(
-    axes: Axes, result: Result, seen: Backdrop, frame: int, scale: Normalize, colours: str
+    axes: Axes,
+    result: Result,
+    seen: Backdrop,
+    frame: int,
+    tall: float,
+    scale: Normalize,
+    colours: str,
 ) -> bool:
-    """Draw the ropes and all that pulls on them; return whether an anchor does."""
+    """Draw the ropes and all that pulls on them, `tall` [inch]; return whether an anchor does."""
     points = seen.view.project(shown_positions(result, frame))
     ends = np.stack([points[:-1], points[1:]], axis=1)
     live = result.live[frame]
@@ -116,6 +128,9 @@ def _draw_shape(
     draw_anchors(axes, result, seen.view, frame)
     draw_loads(axes, result, seen.view, frame)
     label(axes, seen.view)
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    wide = tall * (right - left) / ((high - low) * seen.box.magnified)  # with equal scales
+    axes.xaxis.set_major_locator(MaxNLocator(int(np.clip(1.7 * wide, 2, 9))))
     return pulled
 
 

@@ -65,9 +65,6 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
     if past is not None:
         figure.clear()
         axes, beside = figure.subplots(1, 2, width_ratios=(2.6, 1.0))
-    ground = result.scene.ground
-    if ground is not None:
-        axes.axhline(ground.height, color=EARTH, linewidth=1.2, label="ground")
     curves = []
     for index in chosen:
         values = _height_of(result, index, up)
@@ -80,6 +77,7 @@ def height(result: Result, nodes: Sequence[int | str | tuple[str, int]] | None =
         )
     axes.set_xlim(*time_limits(result, good))
     set_limits(axes, curves, good)
+    _draw_ground(axes, result)
     mark_break(axes, result, good)
     axes.set_xlabel("time [s]")
     axes.set_ylabel("height [m]" if name == "height" else f"height {name} [m]")
@@ -108,9 +106,16 @@ def _height_of(result: Result, index: int, up: Floats) -> Floats:
     return values
 
 
+def _draw_ground(axes: Axes, result: Result) -> None:
+    """Draw the ground where it is in view."""
+    ground, (low, high) = result.scene.ground, axes.get_ylim()
+    if ground is not None and low <= ground.height <= high:
+        axes.axhline(ground.height, color=EARTH, linewidth=1.2, label="ground")
+
+
 def _draw_band(axes: Axes, result: Result, index: int, good: int, label: str) -> None:
     """Draw between which heights a node was in the steps between frames."""
-    if result.has_extremes:
+    if result.has_extremes and result.frames > 1:
         low, high = (array[:good, index] for array in (result.least_height, result.greatest_height))
         axes.fill_between(result.time[:good], low, high, step="pre", label=label, **BAND)  # type: ignore[arg-type]
 

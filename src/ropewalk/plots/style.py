@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from ropewalk.record.facts import AT_REST
 from ropewalk.words.prefixes import prefix_of
 
 if TYPE_CHECKING:
@@ -183,11 +184,15 @@ def wrap(text: str, letters: int) -> list[str]:
 def describe(result: Result) -> str:
     """Method, step and time of a run, for a subtitle: `verlet, 0.8 ms steps, 0 to 20 s`."""
     time = result.time
+    if result.status == AT_REST:
+        return method_and_step(result)
     return f"{method_and_step(result)}, {time[0]:g} to {time[-1]:.4g} s"
 
 
 def method_and_step(result: Result) -> str:
-    """`semi-implicit-euler, 1.852 ms steps`."""
+    """`semi-implicit-euler, 1.852 ms steps`; or `equilibrium`, which no method has made."""
+    if result.status == AT_REST:
+        return "equilibrium"
     if result.plan.tolerance is not None:
         return f"{result.plan.method}, {result.plan.pace}"
     return f"{result.plan.method}, {result.plan.dt * 1e3:.4g} ms steps"
@@ -209,9 +214,10 @@ def times_map() -> LinearSegmentedColormap:
 
 def scaled_axis(axes: Axes, what: str, unit: str, largest: float) -> None:
     """Label the y axis `what [unit]` with the SI prefix that suits; the data stay in `unit`."""
-    if largest < 1e-12:  # round-off, or nothing: powers of ten say it best
+    if largest < 1e-12:
         axes.set_ylabel(f"{what} [{unit}]")
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.1e}"))
+        if largest > 0.0:  # round-off: powers of ten say it best
+            axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.1e}"))
         return
     bare = unit == "1" or unit.startswith("kg")  # take no prefix
     factor, prefix = (1.0, "") if bare else prefix_of(largest)

@@ -19,6 +19,7 @@ from ropewalk.plots.style import (
     set_note,
     set_title,
     styled,
+    wrap,
 )
 from ropewalk.sweeps.designs import plain_rows
 
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 BAND = (0.05, 0.5, 0.95)
 _MOST_PANELS = 12
+_LETTERS = 42  # in a line of the label of an axis
 _FEW = 5  # values, each with a tick of its own
 #: Room that a tick's text takes up, as shares of a map's sides: a letter and a gap across, a line down.
 _LETTER, _GAP, _LINE = 0.024, 0.03, 0.06
@@ -120,7 +122,12 @@ def _short(words: str) -> str:
 def _label(array: xr.DataArray) -> str:
     unit = array.attrs.get("units", "")
     words = array.attrs.get("long_name", array.name)
-    return f"{words} [{unit}]" if unit and unit != "1" else str(words)
+    return _wrapped(f"{words} [{unit}]" if unit and unit != "1" else str(words))
+
+
+def _wrapped(label: str) -> str:
+    """Return the label of an axis in lines that it has room for."""
+    return "\n".join(wrap(label, _LETTERS))
 
 
 def _axis(axes: Axes, array: xr.DataArray, values: Floats, which: str = "x") -> None:
@@ -172,7 +179,9 @@ def _lines(data: xr.Dataset, name: str, parameter: str) -> Figure:
         few = len(np.unique(x)) <= 60 or labels
         axes.plot(x[order], y[order], marker="o" if few else "", label=label, **style)
     _mark_broken(axes, x[_is_broken(data)])
-    scaled_axis(axes, _short(data[name].attrs["long_name"]), data[name].attrs["units"], largest)
+    scaled_axis(
+        axes, _wrapped(_short(data[name].attrs["long_name"])), data[name].attrs["units"], largest
+    )
     _axis(axes, data[parameter], x)
     if labels:
         axes.set_xticks(range(len(labels)), labels)
@@ -215,7 +224,7 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         edges = _edges(x, axes.get_xscale()), _edges(y, axes.get_yscale())
         drawn = axes.pcolormesh(*edges, values.T, cmap="viridis")
         words = _short(data[name].attrs["long_name"])
-        figure.colorbar(drawn, ax=axes, label=f"{words} [{data[name].attrs['units']}]")
+        figure.colorbar(drawn, ax=axes, label=_wrapped(f"{words} [{data[name].attrs['units']}]"))
         for i, j in np.argwhere(broken):
             axes.plot(x[i], y[j], marker="x", color=COLOURS[1])
         for labels, set_ticks in ((x_labels, axes.set_xticks), (y_labels, axes.set_yticks)):
@@ -224,7 +233,7 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         sides = ((x, x_labels, axes.xaxis, edges[0]), (y, y_labels, axes.yaxis, edges[1]))
         for values_there, labels, axis, ends in sides:
             if not labels and len(values_there) <= _FEW:  # at the cells, not somewhere in them
-                texts = [f"{value:.5g}" for value in values_there]
+                texts = [_told(value) for value in values_there]
                 room = max(map(len, texts)) * _LETTER + _GAP if axis is axes.xaxis else _LINE
                 told = _apart(values_there, ends, axis.get_scale(), room)
                 axis.set_ticks(values_there, [t if i in told else "" for i, t in enumerate(texts)])
@@ -235,6 +244,14 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         set_note(figure, ["Crosses on grey: runs that broke."])
     _title(figure, data, name)
     return figure
+
+
+def _told(value: float) -> str:
+    """Return a number to five digits, without a power of ten where it is not long."""
+    text = f"{value:.5g}"
+    if not 1e-4 <= abs(value) < 1e7:
+        return text
+    return np.format_float_positional(float(text), trim="-")
 
 
 def _edges(centres: Floats, scale: str) -> Floats:
@@ -369,7 +386,9 @@ def _band(data: xr.Dataset, name: str) -> Figure:
         axes.fill_between(x, low, high, color=style["color"], alpha=0.25, linewidth=0.0)
         axes.plot(x, middle, label=label, **style)
         largest = max(largest, float(np.nanmax(np.abs(high))))
-    scaled_axis(axes, _short(data[name].attrs["long_name"]), data[name].attrs["units"], largest)
+    scaled_axis(
+        axes, _wrapped(_short(data[name].attrs["long_name"])), data[name].attrs["units"], largest
+    )
     axes.set_xlabel("time [s]" if time == "time" else "frame")
     if len(parts) > 1:
         axes.legend()

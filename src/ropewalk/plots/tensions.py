@@ -91,7 +91,7 @@ def tension(
     bar = figure.colorbar(
         image, ax=list(grid[: len(shown)]), extend=extend, pad=0.015, aspect=18 * min(len(shown), 3)
     )
-    since = ", largest since the frame before" if result.has_extremes else ""
+    since = ", largest since the frame before" if _has_band(result) else ""
     unit_of = reach(scale)  # one unit in all panels, so that their numbers compare
     scaled_axis(bar.ax, result.tension_name + since, "N", unit_of)
     if frames:
@@ -250,7 +250,7 @@ def _draw_profiles(
         pieces = found.values.shape[1]
         middle = (np.arange(pieces) + 0.5) * found.length / pieces
         name = f"{escape(result.layout.ropes[rope].name)}, " if len(shown) > 1 else ""
-        if result.has_extremes:
+        if _has_band(result):
             low, high = envelope(found, good)
             curves += [low, high]
             axes.fill_between(middle, low, high, **BAND, label="_" if number else ALL_STEPS)  # type: ignore[arg-type]
@@ -263,6 +263,11 @@ def _draw_profiles(
     axes.set_xlim(0.0, max(found.length for found in maps))
     axes.set_xlabel(" or ".join(dict.fromkeys(found.label for found in maps)))
     axes.legend(ncols=min(number + 1, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+
+
+def _has_band(result: Result) -> bool:
+    """Tell whether there are steps between frames of which more is known."""
+    return result.has_extremes and result.frames > 1
 
 
 def envelope(found: Map, good: int) -> tuple[Floats, Floats]:
