@@ -35,7 +35,7 @@ from ropewalk.methods.errors import set_zero
 from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
-from ropewalk.methods.scratch import make_sums
+from ropewalk.methods.scratch import make_look
 from ropewalk.methods.verdict import energy_now
 from ropewalk.methods.watch import begin_interval
 
@@ -177,7 +177,7 @@ class Engine:
         """Evaluate forces and reactions at time zero, take a first look, and note the energy."""
         self.prepare(0.0)
         set_first_reactions(self.system, self.state)
-        begin_interval(self.system, self.state, *working_space(self.state), 0.0, self.ledger)
+        begin_interval(self.system, self.state, make_look(self.state), 0.0, self.ledger)
         self._set_balance()
 
     def prepare(self, time: float) -> None:
@@ -190,7 +190,7 @@ class Engine:
 
     def count_errors(self) -> None:
         """Count errors of the energy from the present state on."""
-        set_zero(self.system, self.state, *working_space(self.state), self.ledger)
+        set_zero(self.system, self.state, make_look(self.state), self.ledger)
 
     def _set_balance(self) -> None:
         """Write the energy at the start, from which gains count, and what of it may turn into motion."""
@@ -318,11 +318,6 @@ def with_network(scratch: Any, network: Network) -> Any:
     if hasattr(scratch, "solver"):
         return scratch._replace(stage=stage, solver=scratch.solver._replace(stage=stage))
     return scratch._replace(stage=stage)
-
-
-def working_space(state: State) -> tuple[Floats, Floats]:
-    """Return what a look at a state needs, see `methods.watch`."""
-    return np.zeros((2, state.rest_length.size)), make_sums()
 
 
 def counts(walk: Walk) -> dict[str, float]:

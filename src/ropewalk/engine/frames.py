@@ -21,7 +21,7 @@ from ropewalk.methods.recording import (
     remembering,
     work_names,
 )
-from ropewalk.methods.scratch import make_sums
+from ropewalk.methods.scratch import make_look
 
 # Of all ropes together, besides energies and works.
 ADDED = ("jump", "momentum", "angular_momentum", "books", "error_range")
@@ -233,7 +233,7 @@ def hold_frames(engine: Engine, room: Recording, ledger: bool) -> None:
     """
     state = engine.state
     out = make_recording(state, 1, room.rest_length.shape[1] > 0)
-    record_frame(engine.system, state, ledger, make_sums(), 0, out)
+    record_frame(engine.system, state, ledger, make_look(state), 0, out)
     for name in GONE:
         getattr(out, name)[...] = np.nan
     out.extreme_places[...] = -1.0

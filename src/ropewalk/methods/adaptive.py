@@ -58,7 +58,7 @@ from ropewalk.methods.implicit import (
 from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_laws, take_up_rates
 from ropewalk.methods.loop import close_frame, prepare_links
 from ropewalk.methods.partings import part_ropes
-from ropewalk.methods.scratch import put_row
+from ropewalk.methods.scratch import SEEN, put_row
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.stage_report import QUICK
 from ropewalk.methods.tableaus import ESDIRK3
@@ -229,8 +229,8 @@ def stride(system, scratch, extras, ledger, tableau):
         scratch.solver,
         scratch.walk.control,
     )
-    t, pull, sums = control[END], solver.pull, solver.sums
-    if parts(system) and part_ropes(system, state, pull, sums, t) > 0:
+    t, look = control[END], solver.look
+    if parts(system) and part_ropes(system, state, look, t) > 0:
         control[WISH] = 0.0
     if open_step(system, state, t, solver, scratch.breaks) or control[WISH] == 0.0:
         prepare_links(system, state, t, solver.stage.saddle)
@@ -322,20 +322,20 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
     as many tries as `scratch.strides` says: the walk may then be part of the way to the next frame.
     """
     control, walk = scratch.walk.control, scratch.walk
-    pull, sums = scratch.solver.pull, scratch.solver.sums
-    done = int(clock[2])
+    look, done = scratch.solver.look, int(clock[2])
+    look.known[SEEN] = 0.0
     note_changes(system, state)
     if control[BEGUN] == 0.0 or differ(scratch.here, walk.shown):
         begin_walk(state, scratch, clock[0] + done * clock[1])
     for frame in range(frames):
         if frame > 0 or clock[4] == 0.0:
-            open_interval(system, state, pull, sums, clock[0] + done * clock[1])
+            open_interval(system, state, look, clock[0] + done * clock[1])
         done += int(clock[3])
         time = clock[0] + done * clock[1]
         while control[END] < time:
             if scratch.strides[0] <= 0.0:
                 return PAUSED, frame
-            watch(system, scratch.ahead, pull, sums, control[END])
+            watch(system, scratch.ahead, look, control[END])
             status = stride(system, scratch, extras, ledger, tableau)
             if status != OK:
                 return status, frame
@@ -345,8 +345,8 @@ def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_
         status = show(system, state, scratch, extras, time, ledger, tableau)
         if status == OK:
             clock[2] = done
-            close_interval(system, state, pull, sums, time, time)
-            status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
+            close_interval(system, state, look, time, time)
+            status = close_frame(system, state, ledger, time, stop_at_break, look, frame, out)
             put_row(state.balance, scratch.begin.balance)
             put_row(state.balance, scratch.ahead.balance)
             put_row(scratch.here, walk.shown)

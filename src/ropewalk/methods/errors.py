@@ -16,51 +16,57 @@ from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold
 from ropewalk.laws.rare import has_bending
+from ropewalk.methods.carried import record_elastic
 from ropewalk.methods.peaks import keep_step
-from ropewalk.methods.recording import add_up, record_elastic, total_of
-from ropewalk.methods.scratch import LANES, clear_row
+from ropewalk.methods.scratch import LANES, SEEN, add_up, clear_lanes, total_of
 
 
 @part
-def set_zero(system, state, pull, sums, ledger):
+def set_zero(system, state, look, ledger):
     """Note the energy from which errors count; without a ledger there are none."""
     state.peaks.error_zero[0] = np.nan
     if ledger:
-        state.peaks.error_zero[0] = accounted_for(
-            system, state, stretched(system, state, pull, sums), sums
-        )
+        elastic = stretched(system, state, look)
+        state.peaks.error_zero[0] = accounted_for(system, state, elastic, look.sums)
 
 
 @part
-def keep_step_error(system, state, pull, sums, t):
-    """Look at the energy error of the state of time `t` [s]. `pull` (2, s) and `sums` are working space."""
+def keep_step_error(system, state, look, t):
+    """Look at the energy error of the state of time `t` [s]."""
     if state.peaks.error_zero[0] == state.peaks.error_zero[0]:
-        keep_error(system, state, stretched(system, state, pull, sums), sums, t)
+        elastic = stretched(system, state, look)
+        keep_error(state.peaks, error_now(system, state, elastic, look.sums), t)
 
 
 @part
-def look_at_step(system, state, rubs, count, pull, sums, t):
+def look_at_step(system, state, rubs, count, look, t):
     """Look at the end of a step, the `count`-th, at time `t` [s], where `watch` does not."""
-    keep_step(system, state, rubs, count, t)
-    keep_step_error(system, state, pull, sums, t)
+    keep_step(system, state, rubs, count, t, look.sums)
+    keep_step_error(system, state, look, t)
 
 
 @part
-def stretched(system, state, pull, sums):
+def stretched(system, state, look):
     """Return the elastic energy of all segments [J]."""
-    return record_elastic(system, state, sums, pull[0])
+    look.known[SEEN] = 0.0
+    return record_elastic(system, state, look.sums, look.segments[0])
 
 
 @kernel
-def keep_error(system, state, elastic, sums, t):
-    """Hold the energy error at time `t` [s] against the least and greatest; `elastic` is the energy [J]."""
-    kept, zero = state.peaks.error, state.peaks.error_zero[0]
-    if zero == zero:
-        error = accounted_for(system, state, elastic, sums) - zero
-        if error < kept[LEAST, 0]:
-            kept[LEAST, 0], kept[LEAST, 1] = error, t
-        if error > kept[GREATEST, 0]:
-            kept[GREATEST, 0], kept[GREATEST, 1] = error, t
+def error_now(system, state, elastic, sums):
+    """Return the energy error [J], NaN without a ledger; `elastic` is the segments' energy [J]."""
+    zero = state.peaks.error_zero[0]
+    return accounted_for(system, state, elastic, sums) - zero if zero == zero else np.nan
+
+
+@kernel
+def keep_error(peaks, error, t):
+    """Hold an energy error [J], at time `t` [s], against the least and greatest; NaN is none."""
+    kept = peaks.error
+    if error < kept[LEAST, 0]:
+        kept[LEAST, 0], kept[LEAST, 1] = error, t
+    if error > kept[GREATEST, 0]:
+        kept[GREATEST, 0], kept[GREATEST, 1] = error, t
 
 
 @kernel
@@ -68,7 +74,7 @@ def accounted_for(system, state, elastic, sums):
     """Return all energy less the works of the laws without a potential [J]; `elastic` is the segments'."""
     work, mass, segments = state.work, state.mass, state.rest_length.shape[0]
     works = None if system.rare is None else work.node
-    clear_row(sums)
+    clear_lanes(sums, 1)
     for lo in range(0, mass.shape[0], LANES):
         hi = min(lo + LANES, mass.shape[0])
         _add_nodes(state.x, state.v, mass, system.gravity, works, work.applied, lo, hi, sums)

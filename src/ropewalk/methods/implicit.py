@@ -43,6 +43,7 @@ from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
 from ropewalk.methods.impacts import is_soft, is_struck, rest_links, strike
 from ropewalk.methods.loop import make_advance, nodes_out, prepare_links
 from ropewalk.methods.scratch import (
+    Look,
     add,
     add_forces,
     axpy,
@@ -52,7 +53,7 @@ from ropewalk.methods.scratch import (
     clear_row,
     gather,
     half_way,
-    make_sums,
+    make_look,
     make_turning,
     put,
     put_forces,
@@ -87,8 +88,7 @@ class ImplicitScratch(NamedTuple):
     reaction: Floats  # (a, 3) sum over the parts of a step [N]
     joint_force: Floats  # (p, 3) the same
     turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
-    sums: Floats
-    pull: Floats  # (2, s) tensions, see `watch`
+    look: Look
     starts: Starts  # of the stages of a step that was looked at already
     rescue: Tableau  # of the method that takes the parts of a step without solution
 
@@ -113,8 +113,7 @@ def make_implicit_scratch(system: System, state: State, tableau: Tableau) -> Imp
         reaction=np.zeros_like(state.reaction),
         joint_force=np.zeros_like(state.joint_force),
         turning=make_turning(state),
-        sums=make_sums(),
-        pull=np.zeros((2, state.rest_length.shape[0])),
+        look=make_look(state),
         starts=make_starts(state, most),
         rescue=tableaus.IMPLICIT_EULER,
     )

@@ -19,7 +19,7 @@ from ropewalk.methods.kinks import near, next_piece, take_up_hands
 from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.peaks import any_rubs, looks_at_all, wanted
 from ropewalk.methods.recording import record_frame
-from ropewalk.methods.scratch import clear
+from ropewalk.methods.scratch import SEEN, clear
 from ropewalk.methods.starts import forget_starts
 from ropewalk.methods.tableaus import BDF2
 from ropewalk.methods.verdict import judge, note_changes, note_energy
@@ -116,13 +116,13 @@ _OTHER = _prepare_other, _renew_other, _wind_and_limit
 
 
 @kernel
-def close_frame(system, state, ledger, time, stop_at_break, sums, frame, out):
-    """Record the frame at `time` [s] where `out` has it; return the state's status. `sums` is working space.
+def close_frame(system, state, ledger, time, stop_at_break, look, frame, out):
+    """Record the frame at `time` [s] where `out` has it; return the state's status.
 
     Part of a frame, which is neither recorded nor to stop, is not judged: where calls end changes nothing.
     """
     if out.x.shape[0] > frame:
-        record_frame(system, state, ledger, sums, frame, out)
+        record_frame(system, state, ledger, look, frame, out)
     elif not stop_at_break:
         note_energy(system, state)
         return OK
@@ -133,6 +133,12 @@ def close_frame(system, state, ledger, time, stop_at_break, sums, frame, out):
 def first_row(clock):
     """Return the row of the recording for the first frame, 0 unless the clock has it."""
     return int(clock[6]) if clock.shape[0] > 6 else 0
+
+
+@kernel
+def goes_on(clock):
+    """Tell whether nothing has come between this call and the one before, which only the clock can say."""
+    return clock.shape[0] > 7 and clock[7] == 1.0
 
 
 def _always(step: Any) -> Any:
@@ -164,16 +170,19 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
         """Advance `frames` frames; return the status and the number of good frames.
 
         `clock` holds t0, dt, steps done and steps per frame: t = t0 + step dt, never a sum. Besides 1 where
-        the first frame is begun already, 1 where the last is not ended, and the first row of `out` if not 0.
+        the first frame is begun already, 1 where the last is not ended, the first row of `out` if not 0, and
+        1 where the call goes on with what the one before has left.
         """
         dt, done, steps = clock[1], int(clock[2]), int(clock[3])
-        point, speed, pull, sums = scratch.point, scratch.speed, scratch.pull, scratch.sums
+        point, speed, look = scratch.point, scratch.speed, scratch.look
         rubs, r = any_rubs(state.damping_vector, state.damping_axial), first_row(clock)
-        note_changes(system, state)
+        if not goes_on(clock):
+            look.known[SEEN] = 0.0
+            note_changes(system, state)
         for frame in range(frames):
             t, parted = clock[0] + done * dt, False
             if frame > 0 or clock[4] == 0.0:
-                open_interval(system, state, pull, sums, t)
+                open_interval(system, state, look, t)
             if frame == 0 and take_up_hands(system, state, t, point, speed) > 0 and carries:
                 begin_anew(system, state, t, scratch)
             for s in range(done, done + steps):
@@ -194,19 +203,19 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
                             renew(system, state, end, scratch, tableau)
                     begin = to
                     if begin < after:  # the end of a pull, often its peak
-                        close_interval(system, state, pull, sums, t, begin)
+                        close_interval(system, state, look, t, begin)
                 if solves or looks_at_all(system, extras):
-                    watch(system, state, pull, sums, after)
+                    watch(system, state, look, after)
                 elif wanted(state):
-                    look_at_step(system, state, rubs, s + 1, pull, sums, after)
-                parted = parts(system) and part_ropes(system, state, pull, sums, after) > 0
+                    look_at_step(system, state, rubs, s + 1, look, after)
+                parted = parts(system) and part_ropes(system, state, look, after) > 0
                 if parted and carries:
                     begin_anew(system, state, after, scratch)
             done, clock[2] = done + steps, done + steps
             watched = not parted and (solves or looks_at_all(system, extras))
             if not watched and (frame + 1 < frames or clock[5] == 0.0):
-                close_interval(system, state, pull, sums, after, after)
-            status = close_frame(system, state, ledger, after, stop_at_break, sums, r + frame, out)
+                close_interval(system, state, look, after, after)
+            status = close_frame(system, state, ledger, after, stop_at_break, look, r + frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames

@@ -17,20 +17,21 @@ from ropewalk.laws.couplings import part_couplings
 from ropewalk.laws.elastic import stored_energy
 from ropewalk.laws.fresh import working_segment
 from ropewalk.laws.rare import has_bending, winds
-from ropewalk.methods.recording import carried_tension, record_elastic
+from ropewalk.methods.carried import carried_tension, record_elastic
+from ropewalk.methods.scratch import SEEN
 
 WIDE = 2.0  # [1]
 
 
 @part
-def part_ropes(system, state, pull, sums, t):
+def part_ropes(system, state, look, t):
     """Part what carries too much at the end of a step at time `t` [s]; return how many segments.
 
-    The forces at hand are then no longer those of the state. `pull` (2, s) and `sums` are working space.
+    The forces at hand are then no longer those of the state.
     """
     table, parted = system.node.parting, state.memory.parting
-    over, carried = pull[0], pull[1]
-    record_elastic(system, state, sums, over)
+    over, carried, look.known[SEEN] = look.segments[0], look.segments[1], 0.0
+    record_elastic(system, state, look.sums, over)
     carried_tension(system, state, over, carried)
     if winds(system, state):
         spare_drums(system.winches, state.winch_exit, parted.time, carried)

@@ -17,7 +17,6 @@ from ropewalk.core.jit import apart, kernel, part, small
 from ropewalk.core.peaks import (
     FORCE,
     GREATEST,
-    HIGHEST,
     LEAST,
     LEAST_TENSION,
     LOWEST,
@@ -25,8 +24,6 @@ from ropewalk.core.peaks import (
     PLACE,
     SINCE,
     SPEED,
-    STRETCH,
-    TENSION,
     UNTIL,
     VALUE,
     greater,
@@ -34,7 +31,7 @@ from ropewalk.core.peaks import (
 )
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.anchors import first_index, last_index
-from ropewalk.laws.elastic import keep_laws, settle_laws
+from ropewalk.laws.elastic import keep_laws
 from ropewalk.laws.pulls import pulls
 from ropewalk.laws.rare import (
     acts_after,
@@ -45,6 +42,8 @@ from ropewalk.laws.rare import (
     parts,
     winds,
 )
+from ropewalk.methods.scratch import put_row
+from ropewalk.methods.search import fill, is_live, search_all
 
 DEPTH = 32  # steps
 
@@ -81,12 +80,6 @@ def keep_live(tension, rest_length, stiffness, high, low):
     for j in range(tension.shape[0]):
         if is_live(rest_length[j], stiffness[j]):
             high[j], low[j] = greater(tension[j], high[j]), lesser(tension[j], low[j])
-
-
-@small
-def is_live(rest_length, stiffness):
-    """Tell whether a segment is real: not between two ropes, nor on a drum."""
-    return rest_length > 0.0 or stiffness > 0.0
 
 
 @small
@@ -223,13 +216,13 @@ def keep_springs(system, state, rubs, lo=0, hi=ALL):
 
 
 @part
-def keep_step(system, state, rubs, count, t):
+def keep_step(system, state, rubs, count, t, sums):
     """Look at the end of a step, the `count`-th, at time `t` [s], where `watch` does not."""
     keep_springs(system, state, rubs)
     keep_nodes(system, state)
     keep_anchors(system, state)
     if count % DEPTH == 0:
-        search_all(system, state, t)
+        search_all(system, state, t, sums)
 
 
 @kernel
@@ -241,110 +234,18 @@ def any_rubs(vector, axial):
     return total > 0.0
 
 
-@kernel
-def keep_stretch(x, rest_length, kept):
-    """Keep the greatest stretch of every segment that has a rest length [1]."""
-    x0, x1, x2 = x[0], x[1], x[2]
-    for j in range(rest_length.shape[0]):
-        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
-        length = rest_length[j]
-        new = math.sqrt(dx * dx + dy * dy + dz * dz) / length if length > 0.0 else -np.inf
-        kept[j] = new if new > kept[j] else kept[j]
-
-
-@kernel
-def settle(peaks, rest_length, stiffness, floor, vector, axial):
-    """Take tension and stretch from the squares of the lengths that were kept."""
-    for j in range(rest_length.shape[0]):
-        if peaks.square_high[j] < 0.0:
-            continue
-        length, k = rest_length[j], stiffness[j]
-        longest, shortest = math.sqrt(peaks.square_high[j]), math.sqrt(peaks.square_low[j])
-        if length > 0.0:
-            peaks.stretch[j] = max(peaks.stretch[j], longest / length)
-        if vector[j] + axial[j] == 0.0:
-            high, low = (
-                max(k * (longest - length), floor[j]),
-                max(k * (shortest - length), floor[j]),
-            )
-            peaks.tension_high[j] = max(peaks.tension_high[j], high)
-            peaks.tension_low[j] = min(peaks.tension_low[j], low)
-
-
-@kernel
-def search(values, sign, which, found, since, until):
-    """Note the farthest finite one of `values` (m,) with its time [s] if it is beyond the best so far."""
-    best, more = sign * found[VALUE, which], 0
-    for j in range(values.shape[0]):
-        more += 1 if sign * values[j] > best else 0
-    if more == 0:
-        return
-    for j in range(values.shape[0]):
-        value = values[j]
-        if value - value == 0.0 and sign * value > sign * found[VALUE, which]:
-            found[VALUE, which], found[PLACE, which] = value, j
-            found[SINCE, which], found[UNTIL, which] = since, until
-
-
-@kernel
-def search_live(values, rest_length, stiffness, sign, which, found, since, until):
-    """As `search`, over real segments only: not between two ropes, nor on a drum."""
-    best, more = sign * found[VALUE, which], 0
-    for j in range(values.shape[0]):
-        more += 1 if sign * values[j] > best else 0
-    if more == 0:
-        return
-    for j in range(values.shape[0]):
-        value, live = values[j], is_live(rest_length[j], stiffness[j])
-        if live and value - value == 0.0 and sign * value > sign * found[VALUE, which]:
-            found[VALUE, which], found[PLACE, which] = value, j
-            found[SINCE, which], found[UNTIL, which] = since, until
-
-
-@part
-def search_all(system, state, until):
-    """Note what is beyond the best of the interval so far, of steps that end at `until` [s] at the latest."""
-    peaks, lengths, k, since = (
-        state.peaks,
-        state.rest_length,
-        state.stiffness,
-        state.peaks.looked[0],
-    )
-    vector, axial, found = state.damping_vector, state.damping_axial, state.peaks.found
-    if has_elastic_laws(system):
-        floor, elastic, inner = system.slack_floor, system.elastic, state.inner
-        settle_laws(peaks, lengths, k, floor, vector, axial, elastic, inner)
-    else:
-        settle(peaks, lengths, k, system.slack_floor, vector, axial)
-    search_live(peaks.tension_high, lengths, k, 1.0, TENSION, found, since, until)
-    search_live(peaks.tension_low, lengths, k, -1.0, LEAST_TENSION, found, since, until)
-    search(peaks.stretch, 1.0, STRETCH, found, since, until)
-    search(peaks.speed, 1.0, SPEED, found, since, until)
-    search(peaks.high, 1.0, HIGHEST, found, since, until)
-    search(peaks.low, -1.0, LOWEST, found, since, until)
-    search(peaks.reaction, 1.0, FORCE, found, since, until)
-    search(peaks.moment, 1.0, MOMENT, found, since, until)
-    peaks.looked[0] = until
-
-
-@kernel
-def fill(row, value):
-    """Write one value everywhere, (m,)."""
-    for j in range(row.shape[0]):
-        row[j] = value
+@small
+def keep_row(values, high):
+    """Keep the greater of each, arrays (m,)."""
+    for j in range(high.shape[0]):
+        high[j] = greater(values[j], high[j])
 
 
 @part
 def clear_peaks(peaks):
-    """Begin an interval: nothing was seen yet."""
-    fill(peaks.tension_high, -np.inf)
-    fill(peaks.tension_low, np.inf)
+    """Begin an interval: nothing was seen yet, but for what `begin_seen` begins with."""
     fill(peaks.square_high, -np.inf)
     fill(peaks.square_low, np.inf)
-    fill(peaks.stretch, -np.inf)
-    fill(peaks.speed, -np.inf)
-    fill(peaks.high, -np.inf)
-    fill(peaks.low, np.inf)
     fill(peaks.reaction, -np.inf)
     fill(peaks.moment, -np.inf)
     for which in range(peaks.found.shape[1]):
@@ -357,17 +258,47 @@ def clear_peaks(peaks):
 
 
 @kernel
+def begin_between(values, high, low):
+    """Begin with these as the greater and the lesser of each, arrays (m,)."""
+    for j in range(high.shape[0]):
+        value = values[j]
+        high[j], low[j] = greater(value, -np.inf), lesser(value, np.inf)
+
+
+@kernel
+def begin_nodes(x, v, up, peaks):
+    """Begin with speed and height of every node."""
+    v0, v1, v2 = v[0], v[1], v[2]
+    for i in range(peaks.speed.shape[0]):
+        peaks.speed[i] = greater(v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i], -np.inf)
+    begin_between(heights(x, up, peaks.high, 0, ALL), peaks.high, peaks.low)
+
+
+@apart
+def record_tensions(high, low, most, least):
+    """Write greatest and least tension of every segment, 0 where there was no rope [N]."""
+    for j in range(most.shape[0]):
+        seen = low[j] < np.inf
+        most[j], least[j] = high[j] if seen else 0.0, low[j] if seen else 0.0
+
+
+@apart
+def record_others(stretch, square, most, fastest):
+    """Write the greatest stretch of segments, 0 of those of no length [1], and speed of nodes [m/s]."""
+    for j in range(most.shape[0]):
+        most[j] = max(stretch[j], 0.0)
+    for i in range(fastest.shape[0]):
+        fastest[i] = math.sqrt(square[i])
+
+
+@kernel
 def record_peaks(peaks, frame, out):
     """Write the interval that ends with frame `frame`."""
-    for j in range(out.tension_high.shape[1]):
-        seen = peaks.tension_low[j] < np.inf  # else it has not been rope
-        out.tension_high[frame, j] = peaks.tension_high[j] if seen else 0.0
-        out.tension_low[frame, j] = peaks.tension_low[j] if seen else 0.0
-        out.stretch_high[frame, j] = max(peaks.stretch[j], 0.0)  # 0: no rope, or of no length
-    for i in range(out.speed_high.shape[1]):
-        out.speed_high[frame, i] = math.sqrt(peaks.speed[i])
-        out.highest[frame, i] = peaks.high[i]
-        out.lowest[frame, i] = peaks.low[i]
+    most, least = out.tension_high[frame], out.tension_low[frame]
+    record_tensions(peaks.tension_high, peaks.tension_low, most, least)
+    record_others(peaks.stretch, peaks.speed, out.stretch_high[frame], out.speed_high[frame])
+    put_row(peaks.high, out.highest[frame])
+    put_row(peaks.low, out.lowest[frame])
     for which in range(out.extremes.shape[1]):
         value = peaks.found[VALUE, which]
         if peaks.found[PLACE, which] < 0.0:

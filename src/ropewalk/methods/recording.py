@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
@@ -12,16 +11,26 @@ from ropewalk.core.arrays import Floats, State
 from ropewalk.core.jit import apart, kernel, part, seldom
 from ropewalk.core.ranges import rows
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.elastic import solved_laws
 from ropewalk.laws.ledger import wound_energy
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold, touch_nodes
 from ropewalk.laws.parting import NAME as PARTING
-from ropewalk.laws.pulls import add_pulls
-from ropewalk.laws.rare import acts, has_bending, has_elastic_laws, limits, winds
+from ropewalk.laws.rare import acts, has_bending, winds
 from ropewalk.laws.registry import NODE_LAWS, SEGMENT_LAWS
+from ropewalk.methods.carried import read_segments
 from ropewalk.methods.peaks import record_peaks
-from ropewalk.methods.scratch import LANES, clear, clear_row, put
+from ropewalk.methods.scratch import (
+    ENERGY,
+    LANES,
+    SEEN,
+    SUMS,
+    add_up,
+    clear,
+    clear_lanes,
+    put,
+    put_row,
+    total_of,
+)
 from ropewalk.methods.surface_books import record_surfaces, record_turning, surface_shapes
 
 ENERGIES = ("kinetic", "gravity", "elastic")
@@ -131,43 +140,16 @@ def work_names(bending: bool, more: tuple[str, ...] = ()) -> tuple[str, ...]:
     return (LAWS + BENT_LAWS if bending else LAWS) + more
 
 
-SOLVED = 1e-13  # [1] length error of a segment that is as long as its tension makes it ...
-ROUNDING = 2e-15  # [1] ... and this share of its place
-
-
-@kernel
-def add_up(values, sums):
-    """Sum an array in LANES lanes: the loop vectorises, and the order is the same at every call."""
-    clear_row(sums)
-    for lo in range(0, values.shape[0], LANES):
-        _add_lanes(values, lo, min(lo + LANES, values.shape[0]), sums)
-    return total_of(sums, 0)
-
-
-@part
-def _add_lanes(values, lo, hi, sums):
-    values = values[lo:hi]
-    for i in range(values.shape[0]):
-        sums[i] += values[i]
-
-
-@kernel
-def total_of(sums, which):
-    """Return the total of the lanes of sum `which`, adding halves to halves."""
-    lanes = sums[which * LANES : (which + 1) * LANES]
-    half = LANES // 2
-    while half > 0:
-        _add_lanes(lanes, half, 2 * half, lanes)
-        half //= 2
-    return lanes[0]
-
-
 @kernel
 def record_motion(x, v, mass, gravity, sums, energy, momentum, angular):
     """Write kinetic and gravity energy, momentum, and angular momentum about the origin."""
-    clear_row(sums)
+    clear_lanes(sums, SUMS)
     for lo in range(0, mass.shape[0], LANES):
-        _add_motion(x, v, mass, gravity, lo, min(lo + LANES, mass.shape[0]), sums)
+        hi = min(lo + LANES, mass.shape[0])
+        squares, lifts = _lanes(sums, 0), _lanes(sums, 1)
+        px, py, pz = _lanes(sums, 2), _lanes(sums, 3), _lanes(sums, 4)
+        lx, ly, lz = _lanes(sums, 5), _lanes(sums, 6), _lanes(sums, 7)
+        _add_motion(x, v, mass, gravity, lo, hi, squares, lifts, px, py, pz, lx, ly, lz)
     energy[0] = 0.5 * total_of(sums, 0)
     energy[1] = -total_of(sums, 1)
     for k in range(3):
@@ -176,137 +158,39 @@ def record_motion(x, v, mass, gravity, sums, energy, momentum, angular):
 
 
 @part
-def _add_motion(x, v, mass, gravity, lo, hi, sums):
+def _lanes(sums, which):
+    return sums[which * LANES : (which + 1) * LANES]
+
+
+@apart
+def _add_motion(x, v, mass, gravity, lo, hi, squares, lifts, px, py, pz, lx, ly, lz):
     x0, x1, x2 = rows(x, lo, hi)
     v0, v1, v2 = rows(v, lo, hi)
     mass = mass[lo:hi]
     gx, gy, gz = gravity[0], gravity[1], gravity[2]
     for i in range(mass.shape[0]):
         m, a, b, c, p, q, r = mass[i], x0[i], x1[i], x2[i], v0[i], v1[i], v2[i]
-        sums[i] += m * (p * p + q * q + r * r)
-        sums[LANES + i] += m * (gx * a + gy * b + gz * c)
-        sums[2 * LANES + i] += m * p
-        sums[3 * LANES + i] += m * q
-        sums[4 * LANES + i] += m * r
-        sums[5 * LANES + i] += m * (b * r - c * q)
-        sums[6 * LANES + i] += m * (c * p - a * r)
-        sums[7 * LANES + i] += m * (a * q - b * p)
-
-
-@kernel
-def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
-    """Write every segment's elastic tension [N], (s,); return their energy [J]. See `laws.stretch`.
-
-    A rigid link has the tension that was solved for, and stores nothing. An elastic segment has it where its
-    length agrees to rounding: k (r - L) loses the more digits, the larger k.
-    """
-    clear_row(sums)
-    s = rest_length.shape[0]
-    for lo in range(0, s, LANES):
-        hi = min(lo + LANES, s)
-        _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension)
-    return total_of(sums, 0)
-
-
-@apart
-def _add_tension(x, rest_length, stiffness, floor, solved, lo, hi, sums, tension):
-    x0, x1, x2 = rows(x, lo, hi + 1)
-    rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
-    solved, tension = solved[lo:hi], tension[lo:hi]
-    for j in range(rest_length.shape[0]):
-        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
-        e = math.sqrt(dx * dx + dy * dy + dz * dz) - rest_length[j]
-        gives = stiffness[j] < np.inf
-        pull = stiffness[j] * e if gives else solved[j]
-        size = max(abs(x0[j]), abs(x1[j]), abs(x2[j]))
-        if abs(solved[j] - pull) <= stiffness[j] * (SOLVED * rest_length[j] + ROUNDING * size):
-            pull = solved[j]
-        tension[j] = max(pull, floor[j])
-        sums[j] += 0.5 * pull * e if gives and pull >= floor[j] else 0.0
-
-
-@part
-def record_elastic(system, state, sums, tension):
-    """Write every segment's elastic tension [N], (s,); return their energy [J]."""
-    lengths, k, floor, solved = (
-        state.rest_length,
-        state.stiffness,
-        system.slack_floor,
-        state.tension,
-    )
-    if has_elastic_laws(system):
-        elastic, inner = system.elastic, state.inner
-        near = SOLVED, ROUNDING
-        energy = solved_laws(state.x, lengths, k, floor, elastic, inner, solved, near, tension)
-    else:
-        energy = record_tension(state.x, lengths, k, floor, solved, sums, tension)
-    return energy
-
-
-@part
-def carried_tension(system, state, elastic, tension):
-    """Write what every segment carries along itself [N], (s,): its elastic tension, friction, bound
-    and what laws of segments pull.
-
-    Vector friction counts with its part along the segment. A rigid link has no friction, and its elastic
-    tension is what was solved for.
-    """
-    floor, lengths = system.slack_floor, state.rest_length
-    vector, axial = state.damping_vector, state.damping_axial
-    add_rubbing(state.x, state.v, lengths, floor, vector, axial, elastic, tension)
-    if winds(system, state):
-        take_growth(state.x, state, system.winches, floor, tension)
-    if limits(system):
-        add_bounds(state.forces.limiter, state.tension, state.limited, elastic, tension)
-    add_pulls(system, state, state.x, state.v, tension)
-
-
-@kernel
-def add_rubbing(x, v, rest_length, floor, vector, axial, elastic, tension):
-    """Write elastic tension and friction along the segment; a slack tension-only one has neither."""
-    x0, x1, x2 = x[0], x[1], x[2]
-    v0, v1, v2 = v[0], v[1], v[2]
-    for j in range(rest_length.shape[0]):
-        dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
-        ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
-        r = math.sqrt(dx * dx + dy * dy + dz * dz)
-        rubs = vector[j] + axial[j] if floor[j] != 0.0 or r >= rest_length[j] else 0.0
-        along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 and rubs > 0.0 else 0.0
-        tension[j] = elastic[j] + rubs * along
-
-
-@kernel
-def take_growth(x, state, winches, floor, tension):
-    """Take the growth of the winches' working segments out of their friction; see `growth_friction`."""
-    for row in range(state.winch_exit.shape[0]):
-        drum = state.winch_exit[row]
-        j = drum if winches.step[row] > 0 else drum - 1
-        if state.rest_length[j] == 0.0:  # it has parted
-            continue
-        dx, dy, dz = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
-        stretch = math.sqrt(dx * dx + dy * dy + dz * dz) / state.rest_length[j]
-        if floor[j] != 0.0 or stretch >= 1.0:
-            c = state.damping_vector[j] + state.damping_axial[j]
-            tension[j] -= c * state.winch_rate[row] * stretch
-
-
-@kernel
-def add_bounds(limiter, solved, limited, elastic, tension):
-    """Add what the bound of the stretch holds: solved for by implicit methods, else mean of the step."""
-    for j in range(tension.shape[0]):
-        if limiter[0, j + 1] != 0.0 or limiter[1, j + 1] != 0.0 or limiter[2, j + 1] != 0.0:
-            tension[j] += solved[j] - elastic[j]
-        tension[j] += limited[j]
+        squares[i] += m * (p * p + q * q + r * r)
+        lifts[i] += m * (gx * a + gy * b + gz * c)
+        px[i] += m * p
+        py[i] += m * q
+        pz[i] += m * r
+        lx[i] += m * (b * r - c * q)
+        ly[i] += m * (c * p - a * r)
+        lz[i] += m * (a * q - b * p)
 
 
 @seldom
-def record_frame(system, state, ledger, sums, frame, out):
+def record_frame(system, state, ledger, look, frame, out):
     """Write the state and all that follows from it as frame `frame`; works only with `ledger`."""
     put(state.x, out.x[frame])
     put(state.v, out.v[frame])
-    elastic, energy = out.elastic_tension[frame], out.energy[frame]
-    energy[2] = record_elastic(system, state, sums, elastic)
-    carried_tension(system, state, elastic, out.tension[frame])
+    energy, sums = out.energy[frame], look.sums
+    if look.known[SEEN] == 0.0:
+        read_segments(system, state, look)
+    put_row(look.segments[0], out.elastic_tension[frame])
+    put_row(look.segments[1], out.tension[frame])
+    energy[2] = look.known[ENERGY]
     for j in range(out.rest_length.shape[1]):
         out.rest_length[frame, j] = state.rest_length[j]
     if has_bending(system):

@@ -17,6 +17,19 @@ LANES = 64  # of a sum: so many nodes or segments are added side by side
 SUMS = 8  # that are made at once
 
 
+class Look(NamedTuple):
+    """What a look at a state needs, and what the last one saw, see `watch`."""
+
+    segments: Floats  # (3, s) elastic tension, all that is carried [N], and stretch [1]
+    sums: Floats  # (SUMS * LANES,) of sums in lanes, see `recording.add_up`
+    known: (
+        Floats  # (3,) 1 where all this is of the state as it is; elastic energy, energy error [J]
+    )
+
+
+SEEN, ENERGY, ERROR = range(3)  # of `known`
+
+
 class Scratch(NamedTuple):
     """Arrays (3, n) for stages and increments, and mean forces over the stages."""
 
@@ -30,8 +43,7 @@ class Scratch(NamedTuple):
     mean: Forces
     limiter: Floats  # (11, n) rows of the limiter's equations
     turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
-    sums: Floats  # see `make_sums`
-    pull: Floats  # (2, s) what a look at the segments needs, see `watch` and `add_up_springs`
+    look: Look
     over: Floats  # (s,) 1 / (k L), see `spring_forces`
     about: Floats  # (2,) whether any segment has friction, and whether `over` will do, see `look_ahead`
 
@@ -41,11 +53,11 @@ def make_scratch(state: State) -> Scratch:
     middle, x, v, dx, dv = (np.zeros_like(state.x) for _ in range(5))
     mean = blank(state.forces)
     limiter = np.zeros((11, state.x.shape[1]))
-    s = state.rest_length.shape[0]
-    looks = np.zeros((2, s)), np.zeros(s), np.zeros(2)
     ends = np.zeros(3), np.zeros(3)
     turning = make_turning(state)
-    return Scratch(middle, x, v, dx, dv, *ends, mean, limiter, turning, make_sums(), *looks)
+    over = np.zeros(state.rest_length.shape[0])
+    look, about = make_look(state), np.zeros(2)
+    return Scratch(middle, x, v, dx, dv, *ends, mean, limiter, turning, look, over, about)
 
 
 def make_turning(state: State) -> Floats:
@@ -53,9 +65,9 @@ def make_turning(state: State) -> Floats:
     return np.zeros((state.winch_exit.shape[0], REACH + 1))
 
 
-def make_sums() -> Floats:
-    """Return what recording a frame needs for its sums, (SUMS * LANES,)."""
-    return np.zeros(SUMS * LANES)
+def make_look(state: State) -> Look:
+    """Return what looks at `state` need; nothing was seen yet."""
+    return Look(np.zeros((3, state.rest_length.shape[0])), np.zeros(SUMS * LANES), np.zeros(3))
 
 
 @kernel
@@ -90,6 +102,39 @@ def clear_row(row):
     """Set an array (m,) to zero."""
     for i in range(row.shape[0]):
         row[i] = 0.0
+
+
+@kernel
+def clear_lanes(sums, count):
+    """Set the lanes of the first `count` sums to zero."""
+    clear_row(sums[: count * LANES])
+
+
+@kernel
+def add_up(values, sums):
+    """Sum an array in LANES lanes: the loop vectorises, and the order is the same at every call."""
+    clear_lanes(sums, 1)
+    for lo in range(0, values.shape[0], LANES):
+        _add_lanes(values, lo, min(lo + LANES, values.shape[0]), sums)
+    return total_of(sums, 0)
+
+
+@part
+def _add_lanes(values, lo, hi, sums):
+    values = values[lo:hi]
+    for i in range(values.shape[0]):
+        sums[i] += values[i]
+
+
+@kernel
+def total_of(sums, which):
+    """Return the total of the lanes of sum `which`, adding halves to halves."""
+    lanes = sums[which * LANES : (which + 1) * LANES]
+    half = LANES // 2
+    while half > 0:
+        _add_lanes(lanes, half, 2 * half, lanes)
+        half //= 2
+    return lanes[0]
 
 
 @kernel

@@ -28,14 +28,14 @@ class Beside(NamedTuple):
     work: Floats  # (FIELDS SPAN,) see `core.lane_rows`
     course: Floats  # see `lane_stage`
     able: Floats  # (WIDTH,)
-    clock: Floats  # (7,) of a call for one rope and one step
+    clock: Floats  # (8,) of a call for one rope and one step
     ends: Floats  # (3, WIDTH) status, good frames and steps done of every rope
 
 
 def make_beside() -> Beside:
     """Return working arrays."""
     return Beside(
-        room(FIELDS * SPAN), room(COURSE), np.zeros(WIDTH), np.zeros(7), np.zeros((3, WIDTH))
+        room(FIELDS * SPAN), room(COURSE), np.zeros(WIDTH), np.zeros(8), np.zeros((3, WIDTH))
     )
 
 
@@ -79,6 +79,7 @@ def advance_beside(
                 look_ahead(system, state, scratch, ropes, able, work, course, t, after, dt, A, c)
             clock[2], clock[4], clock[5] = done, 1.0 if begun else 0.0, 1.0 if unfinished else 0.0
             clock[6] = frame if not unfinished else frames
+            clock[7] = 1.0 if frame > 0 or s > 0 else 0.0
             for w in range(count):
                 if ends[0, w] != OK:
                     continue

@@ -14,11 +14,13 @@ from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import keep_step_error
 from ropewalk.methods.loop import close_frame, named
 from ropewalk.methods.partings import part_ropes
-from ropewalk.methods.peaks import DEPTH, looks_at_all, search_all, wanted
+from ropewalk.methods.peaks import DEPTH, looks_at_all, wanted
+from ropewalk.methods.scratch import SEEN
+from ropewalk.methods.search import search_all
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
 
-TILE = 1024  # nodes; about 250 kB of all their arrays
+TILE = 200  # nodes; all their arrays, some 45 kB, fit the cache next to the processor
 
 
 @part
@@ -46,7 +48,8 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         """Advance `frames` frames; return the status and the number of good frames. See `make_advance`."""
         dt = clock[1]
         done, steps = int(clock[2]), int(clock[3])
-        n, pull, sums = state.mass.shape[0], scratch.pull, scratch.sums
+        n, look = state.mass.shape[0], scratch.look
+        look.known[SEEN] = 0.0
         before(state, scratch)
         note_changes(system, state)
         watches = looks_at_all(system, extras)
@@ -54,7 +57,7 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
         width = TILE if not watches and reaches_neighbours_only(system, state) and not errs else n
         for frame in range(frames):
             if frame > 0 or clock[4] == 0.0:
-                open_interval(system, state, pull, sums, clock[0] + done * dt)
+                open_interval(system, state, look, clock[0] + done * dt)
             start, end = done, done + steps
             while start < end:
                 first, stop = 0, min(start + DEPTH - start % DEPTH, end)
@@ -69,21 +72,21 @@ def make_tiled_advance(step: Any, before: Any) -> Any:
                         if acts_after(extras):
                             _act_after(system, state, scratch, t, dt, ledger)
                         if watches:
-                            watch(system, state, pull, sums, after)
+                            watch(system, state, look, after)
                         elif errs:
-                            keep_step_error(system, state, pull, sums, after)
+                            keep_step_error(system, state, look, after)
                         if parts(system):
-                            part_ropes(system, state, pull, sums, after)
+                            part_ropes(system, state, look, after)
                     first = last
                 if not watches and stop % DEPTH == 0 and wanted(state):
-                    search_all(system, state, clock[0] + (stop - 1) * dt)
+                    search_all(system, state, clock[0] + (stop - 1) * dt, look.sums)
                 start = stop
             done += steps
             clock[2] = done
             last_look, time = clock[0] + (done - 1) * dt, clock[0] + done * dt
             if frame + 1 < frames or clock[5] == 0.0:
-                close_interval(system, state, pull, sums, last_look, time)
-            status = close_frame(system, state, ledger, time, stop_at_break, sums, frame, out)
+                close_interval(system, state, look, last_look, time)
+            status = close_frame(system, state, ledger, time, stop_at_break, look, frame, out)
             if status != OK and stop_at_break:
                 return status, frame
         return OK, frames

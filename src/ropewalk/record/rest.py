@@ -17,7 +17,7 @@ from ropewalk.lowering import Model, build
 from ropewalk.lowering.elastic_tables import let_relax, stored_at_rest
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
-from ropewalk.methods.scratch import make_sums
+from ropewalk.methods.scratch import make_look
 from ropewalk.methods.watch import begin_interval
 from ropewalk.record.facts import AT_REST, Facts, provenance
 from ropewalk.record.quantities import recorded
@@ -79,9 +79,9 @@ def _frame(model: Model, statics: Statics) -> Block:
     prepare(model.system, state)
     start_clamps(model.system, state)
     state.clamp_spin[...] = 0.0
-    pull, sums = np.zeros((2, model.layout.segments)), make_sums()
-    begin_interval(model.system, state, pull, sums, 0.0, False)
-    record_frame(model.system, state, True, sums, 0, out)
+    look = make_look(state)
+    begin_interval(model.system, state, look, 0.0, False)
+    record_frame(model.system, state, True, look, 0, out)
     _put_tensions(out, state.stiffness > 0.0, statics.tension, model.scene.run.extremes)
     out.elastic_tension[0] = statics.elastic_tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero

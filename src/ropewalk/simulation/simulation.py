@@ -14,7 +14,7 @@ from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, State
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
-from ropewalk.engine.engine import Fall, counts, working_space
+from ropewalk.engine.engine import Fall, counts
 from ropewalk.engine.islands import make_engine
 from ropewalk.engine.slices import Edges
 from ropewalk.engine.spare import Spare
@@ -27,8 +27,8 @@ from ropewalk.lowering.contact_checks import refuse_untying
 from ropewalk.lowering.plan import divide
 from ropewalk.methods.recording import ENERGIES, Recording, make_recording, record_frame
 from ropewalk.methods.registry import METHODS
-from ropewalk.methods.scratch import make_sums
-from ropewalk.methods.watch import watch
+from ropewalk.methods.scratch import make_look
+from ropewalk.methods.watch import look_now
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block, make_frames
 from ropewalk.simulation.rope_contacts import on_obstacles, one_by_one, rope_contacts
@@ -189,8 +189,9 @@ class Simulation(Driven):
         """Return the present state as one frame, extremes since the last call that moved it on included."""
         out = make_recording(self._state, 1, self._lengths)
         self._engine.show_peaks()
-        watch(self.system, self._state, *working_space(self._state), self.time)
-        record_frame(self.system, self._state, self.ledger, make_sums(), 0, out)
+        look = make_look(self._state)
+        look_now(self.system, self._state, look, self.time)
+        record_frame(self.system, self._state, self.ledger, look, 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
         return Block(np.array([self.time]), out, OK, *self._touched(1))
 
