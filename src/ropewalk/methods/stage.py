@@ -47,6 +47,7 @@ from ropewalk.methods.stage_report import (
     TIGHT,
     find_worst,
     is_close,
+    is_slow,
     is_solved,
     keep_course,
     largest_force,
@@ -279,7 +280,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             if is_solved(report, LOOSE if stuck else TIGHT):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
-        if iteration == most or leaps > MOST_LEAPS:
+        if iteration == most or leaps > MOST_LEAPS or is_slow(report, iteration):
             find_worst(saddle.force, report)
             return UNSOLVED
         wary = WARY if failed else wary - 1
