@@ -9,7 +9,15 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.scene import SceneError
-from ropewalk.theory import edge_fall, harder_by, rope_at_rest, solid_fall, solid_from_edge_fall
+from ropewalk.theory import (
+    edge_fall,
+    harder_by,
+    rope_at_rest,
+    rope_fall,
+    rope_from_fall,
+    solid_fall,
+    solid_from_edge_fall,
+)
 
 LABEL = ("8.464 kN", "33.15 %", "64.9 g/m")
 MEAN = 9324.0, 25950.0, 0.1667
@@ -198,3 +206,24 @@ def test_bad_numbers_of_a_fall(given: dict[str, float]) -> None:
     numbers = {"mass": 80.0, "edge_friction": 0.1} | given
     with pytest.raises(ValueError, match="must be"):
         edge_fall(*MEAN, numbers.pop("mass"), **numbers)
+
+
+@pytest.mark.parametrize("damping", [0.0, 600.0])
+def test_a_load_that_is_let_go_at_once_is_a_fall_of_factor_0(damping: float) -> None:
+    """It was refused: "must be a positive number of 1". Twice the weight, less with damping."""
+    EA, mass, length, g = 20e3, 80.0, 2.8, 9.81
+    found = rope_fall(EA, damping, mass, factor=0.0)
+    near = rope_fall(EA, damping, mass, factor=1e-12)
+    assert found.force == pytest.approx(near.force, rel=1e-5)
+    assert found.stretch == pytest.approx(near.stretch, rel=1e-5)
+    delta = 0.5 * damping / (length * mass)
+    omega = math.sqrt(EA / (length * mass) - delta**2)
+    over = 1.0 + math.exp(-math.pi * delta / omega)
+    assert found.stretch == pytest.approx(over * mass * g / EA)
+    assert found.time_of_stretch == pytest.approx(math.pi / omega)
+    if damping == 0.0:
+        assert found.force == pytest.approx(2.0 * mass * g)
+    with pytest.raises(ValueError, match="factor: -1.0 - must be a number, not negative"):
+        rope_fall(EA, damping, mass, factor=-1.0)
+    with pytest.raises(ValueError, match="factor: 0.0 - must be a positive number$"):
+        rope_from_fall(9000.0, 0.3, mass, factor=0.0)

@@ -244,3 +244,26 @@ def test_the_range_of_a_guessed_mass_is_in_the_tensions_of_a_line() -> None:
     )
     sure = rw.line(30.0, 0.0, line.material.replace(mass_per_length=5.0), sag=1.0)
     assert "mass" not in "".join(sure.notes() + sure.rolling(80.0).notes())
+
+
+def test_a_line_tells_what_both_guesses_at_once_make_of_it() -> None:
+    """Each alone was told, and neither is the worst: 781.1 kN and 760.9 kN for 781.8."""
+    coil = rw.Material.of_wire("locked coil", "30 mm", guesses=True)
+    marks = guesses_of(coil)
+    most = coil.replace(EA=marks["EA"].high, mass_per_length=marks["mass_per_length"].high)
+    head = "with the greatest of both guesses, EA and mass, the largest tension is "
+    for given in ({"sag": "2 %"}, {"length": 99.9}):
+        line, worst = (rw.line(100.0, 0.0, made, **given) for made in (coil, most))
+        assert f"{head}{max(worst.tensions) / 1e3:.4g} kN" in str(line)
+        assert ("length to cut 99.9 to 99.9 m" in str(line)) is False
+        if "sag" in given:
+            assert "MN: length to cut 100." in str(line)
+            pull = float(worst.rolling(20e3).largest_tension.max())
+            rolled = str(line.rolling(20e3))
+            assert f"{head}{pull / 1e3:.4g} kN" in rolled
+            share = 100.0 * pull / marks["breaking_load"].low
+            assert rolled.rstrip().endswith(
+                f"with the least of the guessed breaking load {share:.3g} %"
+            )
+    known = coil.replace(EA=9e7)
+    assert "both guesses" not in str(rw.line(100.0, 0.0, known, sag="2 %"))

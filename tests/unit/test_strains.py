@@ -13,6 +13,7 @@ from ropewalk.scene import (
     Anchor,
     Load,
     Material,
+    Points,
     Rope,
     Scene,
     Slack,
@@ -54,6 +55,15 @@ def test_a_shape_that_starts_broken_is_told() -> None:
     assert not found.ok
     text = "4 of 4 segments start at up to 20 times their rest length: the run breaks at once"
     assert any(text in warning for warning in found.warnings)
+    points = [(float(x), 0.0, 0.0) for x in (0, 1, 2, 3, 33)]
+    one = Rope(
+        length=4.0,
+        segments=4,
+        made_of=Material(EA=1e4, mass_per_length=0.1),
+        shape=Points(points=points),
+    )
+    told = check(Scene(ropes=[one], anchors=[Anchor(node=0)]), measure=False).warnings
+    assert any("1 of 4 segments starts at up to" in warning for warning in told)
     assert simulate(long, on_failure="return").status == "broke"
     assert check(short).ok
     assert simulate(short, on_failure="return").status == "finished"

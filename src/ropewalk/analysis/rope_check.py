@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ropewalk.analysis.rest_notes import may_say_nothing
-from ropewalk.analysis.strains import strain_words, words_of_curve
+from ropewalk.analysis.strains import softer_words, strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import slopes_at_rest
@@ -62,6 +62,7 @@ class RopeCheck:
     parts: bool = False  # whether it parts at its breaking load
     doubt: str = ""  # what guesses make of the utilisation
     worst: float | None = None  # utilisation with the least of a guessed breaking load [1]
+    softer: str = ""  # why the rope itself stretches more at rest
     largest_push: float = 0.0  # at rest, of a segment that is pressed [N]; 0 where none is
     largest_anchor_force: float | None = (
         None  # beside the largest tension, where it is half a segment's weight more [N]
@@ -88,6 +89,7 @@ class RopeCheck:
             "" if self.largest_strain is None else f", strain {strain_words(self.largest_strain)}"
         )
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
+        text += [f"  at rest: {self.softer}"] if self.softer and self.largest_tension > 0.0 else []
         more = self.largest_anchor_force or 0.0
         if more > (1.0 + MORE) * self.largest_tension:
             bears = prefixed(more, "N", 5)
@@ -154,6 +156,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         short=int((size < rest * (1.0 - _SHORT)).sum()),
         made_of=origin_words(rope.made_of),
         curve=words_of_curve(rope),
+        softer=softer_words(rope.made_of),
         utilisation=use,
         rests=rests,
         parts=rope.strength < math.inf,

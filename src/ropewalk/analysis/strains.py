@@ -95,6 +95,14 @@ def _borne(entry: LibraryRope, rope: RopeCheck) -> float:
     return min(bears, load.low / EA)
 
 
+def softer_words(made_of: Springs | Material) -> str:
+    """Return of a rope of the library whose EA is that of a fall which has that of rest; "" of others."""
+    entry = _of_library(made_of)
+    if entry is None or "EA_static" not in entry.numbers or made_of.library.partition(":")[2]:
+        return ""
+    return f"its EA is that of a fall, at rest it stretches more: {entry.name}:static has that"
+
+
 def words_of_curve(rope: Rope) -> str:
     """Return what a rope's curve is, in words; "" where it has none."""
     made_of = rope.made_of
@@ -116,7 +124,8 @@ def overlong_at_start(model: Model) -> list[str]:
         if long.any():
             worst = float((size[long] / rest[long]).max())
             found.append(
-                f"rope {rope.name!r}: {int(long.sum())} of {rope.segments} segments start at up to "
+                f"rope {rope.name!r}: {int(long.sum())} of {rope.segments} segments "
+                f"{'starts' if long.sum() == 1 else 'start'} at up to "
                 f"{worst:.3g} times their rest length: the run breaks at once, as one beyond {most:.4g} "
                 "times counts as broken. Look at the shape's ends and the rope's length"
             )

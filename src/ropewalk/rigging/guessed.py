@@ -38,6 +38,9 @@ def line_notes(line: Line) -> list[str]:
         notes.append(f"EA {force(line.material.EA)} is that of a fall: at rest the rope is softer")
     if "mass_per_length" in guesses_of(line.material):
         notes.append(_of_guess(line, "mass_per_length"))
+    if both := _with_both(line):
+        most = max(both.tensions)
+        notes.append(f"{_BOTH}{force(most)}{most_used(most, line.material)}")
     load = known.get("breaking_load")
     if line.material.breaking_load is None and load is not None and load.low is not None:
         notes.append(
@@ -63,19 +66,35 @@ def rolling_notes(rolling: Rolling) -> list[str]:
             f"with {name} {words(guess.low)} to {words(guess.high)} the largest is "
             f"{force(min(pulls))} to {force(max(pulls))}{most_used(max(pulls), line.material)}"
         )
+    if (both := _with_both(line)) and (pull := _pull(rolling, both)) is not None:
+        notes.append(f"{_BOTH}{force(pull)}{most_used(pull, line.material)}")
     return notes
 
 
 def _pulls(rolling: Rolling, number: str) -> list[float] | None:
     """Return the largest tension under the load at both ends of a guess [N]; None where there is none."""
+    found = [_pull(rolling, one) for one in between(rolling.line, number) or ()]
+    pulls = [pull for pull in found if pull is not None]
+    return pulls if pulls and len(pulls) == len(found) else None
+
+
+def _pull(rolling: Rolling, line: Line) -> float | None:
+    """Return the largest tension of a line under the same load [N]; None where it has no rest."""
     try:
-        return [
-            float(
-                one.rolling(rolling.mass, held=rolling.held, at=rolling.place).largest_tension.max()
-            )
-            for one in between(rolling.line, number) or ()
-        ] or None
+        found = line.rolling(rolling.mass, held=rolling.held, at=rolling.place)
     except ArithmeticError:
+        return None
+    return float(found.largest_tension.max())
+
+
+def _with_both(line: Line) -> Line | None:
+    """Return the line with the greatest EA and the greatest mass, where both are guesses."""
+    stiff, heavy = between(line), between(line, "mass_per_length")
+    if stiff is None or heavy is None:
+        return None
+    try:
+        return stiff[1].with_mass(heavy[1].material.mass_per_length)
+    except (SceneError, ArithmeticError):
         return None
 
 
@@ -90,9 +109,11 @@ def _of_guess(line: Line, number: str) -> str:
         rule = "with an end of that range no line can be set up like this"
         return f"{head}{rule}, so length and tensions are guesses, too"
     pulls, lengths = [max(one.tensions) for one in ends], [one.length for one in ends]
+    cut = f"length to cut {min(lengths):.6g} to {max(lengths):.6g} m, "
+    if line.set_up[0] == "length":
+        cut = ""
     return (
-        f"{head}length to cut {min(lengths):.6g} to {max(lengths):.6g} m, "
-        f"largest tension {force(min(pulls))} to {force(max(pulls))}"
+        f"{head}{cut}largest tension {force(min(pulls))} to {force(max(pulls))}"
         f"{most_used(max(pulls), line.material)}"
     )
 
@@ -101,4 +122,5 @@ def _mass(mass_per_length: float) -> str:
     return f"{1e3 * mass_per_length:.4g} g/m"
 
 
+_BOTH = "with the greatest of both guesses, EA and mass, the largest tension is "
 _NUMBERS = {"EA": ("EA", force), "mass_per_length": ("mass", _mass)}

@@ -84,7 +84,7 @@ def rest_section(
         (
             f"{span.rope}, nodes {span.first} to {span.last}",
             f"{span.distance:.5g} m",
-            span.sag_words(4) or f"hangs {'free' if span.straight else 'or lies'}",
+            span.sag_words(4) or _tail_words(span),
             prefixed(span.horizontal, "N") if span.kind == "span" else "",
             span.pull_words(4),
         )
@@ -108,6 +108,13 @@ def rest_section(
     about = f"This is rest {blows}with all anchors where they are at time zero."
     about += f" The forces balance to {result.residual:.1e} N on every node."
     return Section("At rest", (*items, Text(about)))
+
+
+def _tail_words(span: RestSpan) -> str:
+    """Return how what is held at one end is at rest."""
+    if span.stands:
+        return "stands or hangs"
+    return "hangs free" if span.straight else "hangs or lies"
 
 
 def _contacts(rest: Statics) -> list[Item]:

@@ -109,7 +109,8 @@ class Statics:
         return tuple(span.sag for span in self.spans if span.kind == "span")
 
     def __repr__(self) -> str:
-        spans = "; ".join(str(span) for span in self.spans) or "nothing is held"
+        places = self.spans or self.wraps
+        spans = "; ".join(map(str, places)) or "nothing is held"
         push = f", largest push {prefixed(self.largest_push, 'N')}" if self.largest_push else ""
         return f"Statics: {spans}; largest tension {prefixed(self.largest_tension, 'N')}{push}."
 

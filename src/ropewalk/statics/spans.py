@@ -10,6 +10,8 @@ from functools import partial
 import numpy as np
 
 from ropewalk.core.arrays import BENDING, Floats
+from ropewalk.laws.acting import at_rest
+from ropewalk.laws.node_law import Rest
 from ropewalk.laws.obstacle import touched
 from ropewalk.lowering import Model, Span
 from ropewalk.statics.balance import Balance
@@ -19,6 +21,7 @@ from ropewalk.words.prefixes import prefixed
 from ropewalk.words.pushes import largest_push
 
 _STRAIGHT = 1e-6  # share of a tail's length that it may lack and hang straight [1]
+_ROUNDING = 1e-12  # of the ends' distance: what is no height [1]
 _PLUMB = 1e-6  # slope from the upright up to which ends stand above each other [1]
 
 
@@ -42,6 +45,8 @@ class RestSpan:
     )
     largest_tension: float  # [N]; 0 where all of it is pressed
     largest_push: float = 0.0  # of a segment that is pressed [N]
+    windy: bool = False  # whether a flow pushes, too, so that it hangs in no upright plane
+    stands: bool = False  # whether bending stiffness bears a tail that does not hang straight down
 
     @property
     def words(self) -> str:
@@ -60,19 +65,22 @@ class RestSpan:
     @property
     def straight(self) -> bool:
         """Whether its ends are as far apart as it is long: a tail that hangs, and lies nowhere."""
-        return self.distance >= self.length * (1.0 - _STRAIGHT)
+        return not self.stands and self.distance >= self.length * (1.0 - _STRAIGHT)
 
     @property
     def _tail(self) -> str:
         if self.straight:
             return f"hang free, {self.distance:.4g} m long"
+        if self.stands:
+            return f"stand or hang, {self.length:.4g} m of rope, the tip {self.distance:.4g} m away"
         return f"hang or lie, {self.length:.4g} m of rope, its tip {self.distance:.4g} m away"
 
     @property
     def hangs(self) -> str:
         """How far it sags below the line between its ends or, if that is more, rises above it."""
         floats = self.rise > self.sag
-        return f"rise {self.rise:.4g} m" if floats else f"sag {self.sag:.4g} m"
+        along = " along gravity" if self.windy else ""
+        return (f"rise {self.rise:.4g} m" if floats else f"sag {self.sag:.4g} m") + along
 
     def pull_words(self, digits: int) -> str:
         """The largest tension as an entry of a table's column; of a rope that is pressed its push."""
@@ -152,16 +160,18 @@ def _measure(
     pulls = pull[:, None] * flat / np.maximum(sizes, 1e-300)[:, None]
     lowest = max(int(np.argmin(heights)) - 1, 0)
     turned = None if shear is None else shear[low:high][::step][lowest]
-    free = kind == "tail"
+    free, distance = kind == "tail", float(np.linalg.norm(ends))
+    drop, over_it = (_seen(float(one.max()), distance) for one in (chord - heights, heights - over))
+    bends = model.scene.rope_named(rope.name).bending_stiffness > 0.0
     return RestSpan(
         rope=rope.name,
         kind=kind,
         first=first - rope.start,
         last=last - rope.start,
-        distance=float(np.linalg.norm(ends)),
+        distance=distance,
         length=float(model.state.rest_length[low:high].sum()),
-        sag=0.0 if free else max(0.0, float((chord - heights).max())),
-        rise=0.0 if free else max(0.0, float((heights - over).max())),
+        sag=0.0 if free else drop,
+        rise=0.0 if free else over_it,
         lowest=float(heights.min()) if gravity > 0.0 else 0.0,
         horizontal=0.0
         if free
@@ -170,7 +180,14 @@ def _measure(
         ),
         largest_tension=float(pull.max(initial=0.0)),
         largest_push=largest_push(pull, left),
+        windy=Rest.CARRIES in at_rest(model.system),
+        stands=free and bends and -rise < distance * (1.0 - _STRAIGHT),
     )
+
+
+def _seen(height: float, distance: float) -> float:
+    """Return a height [m] over ends so far apart [m]: 0 below, or where it is rounding."""
+    return height if height > _ROUNDING * distance else 0.0
 
 
 def _shear(model: Model, positions: Floats) -> Floats | None:

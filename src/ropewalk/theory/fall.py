@@ -20,6 +20,7 @@ from ropewalk.theory.given import need
 _FALL_FACTOR = 1.77  # of EN 892: about 4.96 m of free fall on 2.8 m of rope
 _LENGTH = 2.8  # m
 _ROUNDS = 200  # of a bisection
+_ROUNDING = 1e-9  # [rad] an angle of a zero that is there at the start
 
 
 @dataclass(frozen=True)
@@ -53,17 +54,18 @@ def rope_fall(
         EA: axial stiffness [N].
         axial_damping: tension per strain rate [N s], below the critical one, 2 sqrt(EA L m).
         mass: that falls [kg].
-        factor: height of the free fall over the length of the rope [1].
+        factor: height of the free fall over the length of the rope [1]; 0 of a load that is let go at once.
         length: of the rope [m].
         gravity: [m/s^2].
 
-    Raises ValueError for numbers that are not positive, and for a damping above the critical one.
+    Raises ValueError for other numbers that are not positive, and for a damping above the critical one.
 
     Source: Thomson, Theory of Vibration with Applications, sec. 2.6.
     """
     need("EA", EA, "N")
     need("mass", mass, "kg")
-    need("factor", factor, "1")
+    if not (math.isfinite(factor) and factor >= 0.0):
+        raise ValueError(f"factor: {factor!r} - must be a number, not negative")
     need("length", length, "m")
     need("gravity", gravity, "m/s^2")
     k, c = EA / length, axial_damping / length
@@ -81,8 +83,9 @@ def rope_fall(
 
     def first(power: int) -> float:
         """The first time after zero at which the derivative of that order is zero."""
-        angle = cmath.phase(C * root**power)
-        return ((0.5 * math.pi - angle) % math.pi) / omega
+        turn = (0.5 * math.pi - cmath.phase(C * root**power)) % math.pi
+        at_zero = speed == 0.0 and turn < _ROUNDING
+        return (math.pi if at_zero else turn) / omega
 
     def derivative(power: int, t: float) -> float:
         return (C * root**power * cmath.exp(root * t)).real
@@ -127,6 +130,7 @@ def rope_from_fall(
     need("force", force, "N")
     need("stretch", stretch, "1")
     need("mass", mass, "kg")
+    need("factor", factor, "1")
 
     def fall(share: float) -> tuple[Fall, float, float]:
         """The fall that has the stretch, with a damping that is this share of the critical one."""

@@ -8,7 +8,8 @@ import math
 def need(name: str, value: float, unit: str) -> None:
     """Raise ValueError unless a value is positive and finite."""
     if not (math.isfinite(value) and value > 0.0):
-        raise ValueError(f"{name}: {value!r} - must be a positive number of {unit}")
+        of = "" if unit == "1" else f" of {unit}"
+        raise ValueError(f"{name}: {value!r} - must be a positive number{of}")
 
 
 def need_stiff(EA: float) -> None:
