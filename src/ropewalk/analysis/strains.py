@@ -98,7 +98,9 @@ def _borne(entry: LibraryRope, rope: RopeCheck) -> float:
 def softer_words(made_of: Springs | Material) -> str:
     """Return of a rope of the library whose EA is that of a fall which has that of rest; "" of others."""
     entry = _of_library(made_of)
-    if entry is None or "EA_static" not in entry.numbers or made_of.library.partition(":")[2]:
+    if entry is None or "EA_static" not in entry.numbers or isinstance(made_of, Springs):
+        return ""
+    if made_of.library.partition(":")[2]:  # it was asked for another use
         return ""
     return f"its EA is that of a fall, at rest it stretches more: {entry.name}:static has that"
 
