@@ -143,3 +143,24 @@ def test_half_a_segment_of_a_heavy_rope_is_told_where_the_anchor_bears_it() -> N
     assert row not in rw.equilibrium(light).table
     held = [{"node": 0, "mass": 50.0}, {"node": -1, "mass": 100.0}]
     assert row not in rw.equilibrium(hung.replace(**{"rope.loads": held})).table
+
+
+@pytest.mark.parametrize("blows", [True, False])
+def test_what_wind_or_bending_adds_to_an_anchor_is_no_weight(blows: bool) -> None:
+    """Of 5.0 N more in the wind 1.2 are half a segment's weight, and 3.8 the wind's on the anchor's node."""
+    row = "about the largest tension"
+    rope = rw.Rope(
+        segments=4,
+        length=4.0,
+        diameter=0.05,
+        made_of=rw.Material(EA=1e6, mass_per_length=2.0, EI=0.0 if blows else 20.0),
+        shape={"kind": "straight", "start": (0, 0, 0), "end": (3.5, 0, 0)},
+    )
+    wind = {"density": 1.2, "wind": (0, 60, 0), "tangential_coefficient": 0.01} if blows else None
+    hung = rw.Scene(
+        ropes=[rope], anchors=[{"node": 0}, {"node": -1}], air=wind, run={"duration": 0.1}
+    )
+    calm = hung.replace(air=None, **{"rope.made_of.EI": 0.0})
+    for scene, told in ((hung, False), (calm, True)):
+        assert (row in rw.equilibrium(scene).table) == told
+        assert (rw.check(scene, measure=False).ropes[0].largest_anchor_force is not None) == told

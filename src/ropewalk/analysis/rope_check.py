@@ -173,8 +173,8 @@ def _anchor_force(model: Model, statics: Statics, segment: int) -> float | None:
     if row is None:
         return None
     force = float(np.linalg.norm(statics.reactions[row]))
-    tension = float(statics.tension[segment])
-    more = is_end_weight(model.scene, model.layout, segment, tension, force, least=0.0)
+    pulls, places = (float(statics.tension[segment]), force), statics.positions
+    more = is_end_weight((model.scene, model.layout), row, segment, pulls, places, least=0.0)
     return force if more else None
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.record.margins import breaking_load
 from ropewalk.words.percents import percent
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from ropewalk.scene import Scene
 
 MORE = 0.01  # [1] of the tension: an anchor that bears so much more is told
-_ROUNDING = 0.02  # [1] of half a segment's weight
+_APART = 0.1  # [1] of half a segment's weight: both may have their largest at other times
 
 
 def anchor_beside(scene: Scene, layout: Layout, segment: int) -> int | None:
@@ -44,16 +45,23 @@ def anchor_beside(scene: Scene, layout: Layout, segment: int) -> int | None:
 
 
 def is_end_weight(
-    scene: Scene, layout: Layout, segment: int, tension: float, force: float, least: float = MORE
-) -> bool:
-    """Tell whether an anchor bears more than the tension beside it [N], by half of that segment's weight.
+    model: tuple[Scene, Layout], row: int, segment: int, pulls: tuple[float, float], at: Floats,
+    least: float = MORE,
+) -> bool:  # fmt: skip
+    """Tell whether the anchor in this row bears more by half the weight of its segment, and by that alone.
 
-    And more by the `least` of the tension [1].
+    And more by the `least` of the tension [1]. `pulls` are the segment's tension and the anchor's force [N],
+    `at` (n, 3) the places of all nodes [m]. Wind and bending act on the anchor's node as well: what they
+    make more is no weight.
     """
-    rope = scene.rope_named(layout.rope_of(segment)[0])
-    half = 0.5 * rope.own_mass / rope.segments * math.hypot(*scene.gravity)
-    more = force - tension
-    return tension > 0.0 and least * tension < more <= half * (1.0 + _ROUNDING)
+    (scene, layout), (tension, force) = model, pulls
+    if not tension > 0.0 or not force > (1.0 + least) * tension:
+        return False
+    rope, node = scene.rope_named(layout.rope_of(segment)[0]), layout.anchor_nodes[row]
+    half = 0.5 * rope.own_mass / rope.segments * np.array(scene.gravity)
+    along = at[segment + 1 if node == segment else segment] - at[node]
+    alone = np.linalg.norm(tension * along / np.linalg.norm(along) + half)
+    return bool(abs(force - alone) <= _APART * np.linalg.norm(half))
 
 
 def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
@@ -71,7 +79,10 @@ def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
     else:
         pulls = result.read("reactions", 0, result.good_frames)[:, row]
         force = float(np.linalg.norm(pulls, axis=1).max())
-    if not is_end_weight(result.scene, result.layout, peak.place, peak.value, force):
+    frame = result.frame_at(peak.until)
+    places = result.read("positions", frame, frame + 1)[0]
+    model = result.scene, result.layout
+    if not is_end_weight(model, row, peak.place, (peak.value, force), places):
         return ""
     more = percent(100.0 * (force / peak.value - 1.0))
     load = breaking_load(result.scene.rope_named(result.layout.rope_of(peak.place)[0]))
