@@ -57,8 +57,11 @@ test("what is pressed on a copy is told as the first has it", () => {
 });
 
 test("a node that is followed is the same place once there are more or fewer", () => {
-  const [before, finer, other] = layoutOf([[40, 10], [80, 10], [80, 5]]).variants; // prettier-ignore
-  for (const [one, nodes] of [before, finer, other].map((one) => [one, one.ropes[1].first + one.ropes[1].nodes])) one.nodes = nodes; // prettier-ignore
+  const [before, finer, other] = [
+    [40, 10],
+    [80, 10],
+    [80, 5],
+  ].map(([a, b]) => ({ ...layoutOf([[a, b]]).variants[0], nodes: a + b + 2 }));
   assert.deepEqual([...alike(new Set([20, 46]), before, finer)], [40, 86]); // not of the first rope now
   assert.deepEqual([...alike(new Set([86]), finer, before)], [46]);
   assert.deepEqual([...alike(new Set([91]), finer, other)], [86]);
