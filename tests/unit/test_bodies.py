@@ -10,7 +10,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.scene import Box, Cylinder, Material, Scene, Straight
 from ropewalk.scene.motions import Velocity
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 WAY, BEGIN, END = np.array([0.3, 0.0, 0.2]), 0.1, 0.3
 STEP = 1.0 / 240.0

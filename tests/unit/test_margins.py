@@ -153,7 +153,9 @@ def test_what_wind_or_bending_adds_to_an_anchor_is_no_weight(blows: bool) -> Non
         segments=4,
         length=4.0,
         diameter=0.05,
-        made_of=rw.Material(EA=1e6, mass_per_length=2.0, EI=0.0 if blows else 20.0),
+        made_of=rw.Material(
+            EA=1e6, mass_per_length=2.0, EI=0.0 if blows else 20.0, breaking_load=1000.0
+        ),
         shape={"kind": "straight", "start": (0, 0, 0), "end": (3.5, 0, 0)},
     )
     wind = {"density": 1.2, "wind": (0, 60, 0), "tangential_coefficient": 0.01} if blows else None
@@ -163,4 +165,7 @@ def test_what_wind_or_bending_adds_to_an_anchor_is_no_weight(blows: bool) -> Non
     calm = hung.replace(air=None, **{"rope.made_of.EI": 0.0})
     for scene, told in ((hung, False), (calm, True)):
         assert (row in rw.equilibrium(scene).table) == told
-        assert (rw.check(scene, measure=False).ropes[0].largest_anchor_force is not None) == told
+        said = rw.check(scene, measure=False).ropes[0]
+        assert (said.largest_anchor_force is not None) == told
+        borne = np.linalg.norm(rw.equilibrium(scene).reactions[0], axis=1).max()
+        assert said.utilisation == pytest.approx(1e-3 * borne, rel=1e-6)

@@ -8,7 +8,7 @@ from ropewalk.analysis.stability import Stability, stability
 from ropewalk.live.meter import measure
 from ropewalk.lowering import build
 from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 
 def soft(method: str, dt: float, **more: float | bool) -> Stability:

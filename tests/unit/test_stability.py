@@ -31,7 +31,7 @@ from ropewalk.scene import (
 )
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Broken, Simulation
-from ropewalk.words.bounds import rounded_down, rounded_up
+from ropewalk.words.safe_side import rounded_down, rounded_up
 
 
 def report(

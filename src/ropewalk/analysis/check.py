@@ -40,8 +40,8 @@ from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics, static_shape
 from ropewalk.words.annotations import unquoted
-from ropewalk.words.bounds import longest_step, rounded_down
 from ropewalk.words.counts import counted
+from ropewalk.words.safe_side import longest_step, rounded_down
 
 __all__ = ["Check", "RopeCheck", "check", "milliseconds"]
 

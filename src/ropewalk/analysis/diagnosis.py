@@ -26,7 +26,7 @@ from ropewalk.engine.broken import ACCOUNTED
 from ropewalk.engine.unsolved import CALMER
 from ropewalk.lowering import Layout
 from ropewalk.simulation import Broken, Simulation
-from ropewalk.words.bounds import longest_step
+from ropewalk.words.safe_side import longest_step
 
 Floats = NDArray[np.float64]
 

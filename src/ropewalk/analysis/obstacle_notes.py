@@ -16,7 +16,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene.obstacles import Cylinder, Obstacle, thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
 _ALONG = math.sqrt(0.5)  # cosine of 45 degrees

@@ -135,8 +135,9 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut, largest = tension > 0.0, float(tension.max(initial=0.0))
-    borne = _anchor_force(model, statics, span.start + int(np.argmax(tension)))
-    use = None if load is None else max(largest, borne or 0.0) / load
+    force, by_weight = _anchor_force(model, statics, span.start + int(np.argmax(tension)))
+    own_force = by_weight or model.scene.ground is None  # NeHe's ground pushes on anchors, too
+    use = None if load is None else max(largest, force if own_force else 0.0) / load
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
     stretched = np.linalg.norm(
         np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
@@ -163,19 +164,22 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         doubt="" if use is None else doubt_of(rope.made_of, use),
         worst=None if use is None else worst_of(rope.made_of, use),
         largest_push=largest_push(tension, statics.residual),
-        largest_anchor_force=borne,
+        largest_anchor_force=force if by_weight else None,
     )
 
 
-def _anchor_force(model: Model, statics: Statics, segment: int) -> float | None:
-    """Return the force of the anchor beside a segment [N], where half the segment's weight makes it more."""
+def _anchor_force(model: Model, statics: Statics, segment: int) -> tuple[float, bool]:
+    """Return the force of the anchor beside a segment [N], and whether weight alone makes it more than that.
+
+    0 N where no anchor is beside it. Wind and bending act on the anchor's node as well.
+    """
     row = anchor_beside(model.scene, model.layout, segment)
     if row is None:
-        return None
+        return 0.0, False
     force = float(np.linalg.norm(statics.reactions[row]))
     pulls, places = (float(statics.tension[segment]), force), statics.positions
-    more = is_end_weight((model.scene, model.layout), row, segment, pulls, places, least=0.0)
-    return force if more else None
+    about = model.scene, model.layout
+    return force, is_end_weight(about, row, segment, pulls, places, least=0.0)
 
 
 def _speeds_along(

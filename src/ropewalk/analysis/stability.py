@@ -30,8 +30,8 @@ from ropewalk.methods.bound import (
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics
-from ropewalk.words.bounds import longest_step, rounded_down
 from ropewalk.words.percents import percent
+from ropewalk.words.safe_side import longest_step, rounded_down
 
 # Of the implicit methods, the one to recommend: true tensions, one solve, and from any start (ADR 0011).
 STIFF = "bdf2"

@@ -12,7 +12,7 @@ from ropewalk.lowering import Layout, Plan
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Obstacle, Scene
 from ropewalk.scene.obstacles import name_of
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 _FINER = 0.1  # [1] of the longest step that `adaptive` took
 

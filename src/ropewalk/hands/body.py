@@ -24,7 +24,7 @@ from ropewalk.motions.velocity import INTERVAL, WAY
 from ropewalk.motions.whereabouts import place_now
 from ropewalk.scene.obstacles import has_mass, is_free, name_of
 from ropewalk.words.annotations import unquoted
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.laws.obstacle import Obstacles

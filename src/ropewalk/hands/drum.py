@@ -10,7 +10,7 @@ from ropewalk.laws.slides.table import room_of
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.words.annotations import unquoted
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation

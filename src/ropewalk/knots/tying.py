@@ -11,7 +11,7 @@ import numpy as np
 
 from ropewalk.knots import drawn, hitches
 from ropewalk.knots.course import Curve
-from ropewalk.words.bounds import rounded_up
+from ropewalk.words.safe_side import rounded_up
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats

@@ -18,7 +18,7 @@ from ropewalk.lowering.link_lengths import has_links
 from ropewalk.lowering.steps import step_cases
 from ropewalk.methods.bound import meter
 from ropewalk.methods.registry import METHODS
-from ropewalk.words.bounds import longest_step, rounded_down
+from ropewalk.words.safe_side import longest_step, rounded_down
 
 GREEN = 0.9  # of the bound
 _FRICTION = {"semi-implicit-euler": (2.0, "a + 2b"), "verlet": (4.0, "a + 4b")}

@@ -21,7 +21,7 @@ from ropewalk.scene.faults import Fault
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.scene.motions import Fixed, Shake, Table, Velocity
 from ropewalk.scene.obstacles import Cylinder, Obstacle, is_free, thinnest, what_is_thin
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi

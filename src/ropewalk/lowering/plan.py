@@ -16,7 +16,7 @@ from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError
 from ropewalk.scene.faults import Fault
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 # The rule of NeHe's lesson: whole number of steps whose length stays below the given one.
 _ROUND_OFF = 1e-9  # [1] a frame this close to a whole number of steps counts as whole

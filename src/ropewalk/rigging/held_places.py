@@ -24,7 +24,7 @@ from ropewalk.scene.rope import Rope
 from ropewalk.scene.slide import Slide
 from ropewalk.statics.touches import Seat
 from ropewalk.theory import elastic_catenary
-from ropewalk.words.bounds import rounded_down, rounded_up
+from ropewalk.words.safe_side import rounded_down, rounded_up
 
 _ROUNDS = 20  # of halving between two places
 _NEAREST = 0.01  # of the span: nearer to an anchor nothing is looked for [1]

@@ -28,7 +28,7 @@ from ropewalk.scene.faults import MISSING, NO_VALUE
 from ropewalk.scene.from_library import entry
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory import Cable, elastic_catenary
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.rigging.rolling import Rolling

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from ropewalk.scene.faults import NO_VALUE, Fault
-from ropewalk.words.bounds import rounded_up
+from ropewalk.words.safe_side import rounded_up
 
 if TYPE_CHECKING:
     from ropewalk.scene.spin import Spin

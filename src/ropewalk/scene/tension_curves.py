@@ -17,7 +17,7 @@ from ropewalk.scene.csv_columns import folder_of
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.limits import HUGE
 from ropewalk.theory.curve import at_strain, at_tension, is_straight, pieces_of, slope_range
-from ropewalk.words.bounds import rounded_down
+from ropewalk.words.safe_side import rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
