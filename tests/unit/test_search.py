@@ -7,8 +7,8 @@ import pytest
 
 from ropewalk import Anchor, Rope, Scene, Simulation, Springs
 from ropewalk.core.peaks import EXTREMES, PLACE, SINCE, UNTIL, VALUE
+from ropewalk.methods.peak_search import search
 from ropewalk.methods.scratch import LANES, SUMS
-from ropewalk.methods.search import search
 
 WHICH, SINCE_TIME, UNTIL_TIME = 3, 1.0, 2.0
 LONG = SUMS * LANES

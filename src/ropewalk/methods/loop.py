@@ -136,9 +136,11 @@ def first_row(clock):
 
 
 @kernel
-def goes_on(clock):
-    """Tell whether nothing has come between this call and the one before, which only the clock can say."""
-    return clock.shape[0] > 7 and clock[7] == 1.0
+def open_call(system, state, look, clock):
+    """Forget what the call before has left, unless this one goes on with it, which only the clock can say."""
+    if clock.shape[0] < 8 or clock[7] != 1.0:
+        look.known[SEEN] = 0.0
+        note_changes(system, state)
 
 
 def _always(step: Any) -> Any:
@@ -169,16 +171,13 @@ def make_advance(step: Any, *, carries: bool = False, solves: bool = False) -> A
     def advance(system, state, scratch, extras, clock, frames, ledger, out, stop_at_break, tableau):
         """Advance `frames` frames; return the status and the number of good frames.
 
-        `clock` holds t0, dt, steps done and steps per frame: t = t0 + step dt, never a sum. Besides 1 where
-        the first frame is begun already, 1 where the last is not ended, the first row of `out` if not 0, and
-        1 where the call goes on with what the one before has left.
+        `clock`: t0, dt, steps done and steps per frame (t = t0 + step dt, never a sum); 1 where the first one
+        is begun already, 1 where the last is not ended; first row of `out`; 1 where the call before goes on.
         """
         dt, done, steps = clock[1], int(clock[2]), int(clock[3])
         point, speed, look = scratch.point, scratch.speed, scratch.look
         rubs, r = any_rubs(state.damping_vector, state.damping_axial), first_row(clock)
-        if not goes_on(clock):
-            look.known[SEEN] = 0.0
-            note_changes(system, state)
+        open_call(system, state, look, clock)
         for frame in range(frames):
             t, parted = clock[0] + done * dt, False
             if frame > 0 or clock[4] == 0.0:

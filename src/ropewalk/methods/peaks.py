@@ -42,8 +42,8 @@ from ropewalk.laws.rare import (
     parts,
     winds,
 )
+from ropewalk.methods.peak_search import fill, is_live, search_all
 from ropewalk.methods.scratch import put_row
-from ropewalk.methods.search import fill, is_live, search_all
 
 DEPTH = 32  # steps
 

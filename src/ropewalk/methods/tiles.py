@@ -14,9 +14,9 @@ from ropewalk.laws.winch import run_winches
 from ropewalk.methods.errors import keep_step_error
 from ropewalk.methods.loop import close_frame, named
 from ropewalk.methods.partings import part_ropes
+from ropewalk.methods.peak_search import search_all
 from ropewalk.methods.peaks import DEPTH, looks_at_all, wanted
 from ropewalk.methods.scratch import SEEN
-from ropewalk.methods.search import search_all
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
 

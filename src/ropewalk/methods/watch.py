@@ -13,6 +13,7 @@ from ropewalk.core.ranges import ALL
 from ropewalk.laws.rare import winds
 from ropewalk.methods.carried import read_segments
 from ropewalk.methods.errors import error_now, keep_error, set_zero
+from ropewalk.methods.peak_search import fill, search_all, search_kept, settle_kept
 from ropewalk.methods.peaks import (
     begin_between,
     begin_nodes,
@@ -25,7 +26,6 @@ from ropewalk.methods.peaks import (
     wanted,
 )
 from ropewalk.methods.scratch import ENERGY, ERROR, SEEN
-from ropewalk.methods.search import fill, search_all, search_kept, settle_kept
 
 
 @kernel

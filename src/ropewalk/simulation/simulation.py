@@ -187,9 +187,8 @@ class Simulation(Driven):
 
     def recording(self) -> Block:
         """Return the present state as one frame, extremes since the last call that moved it on included."""
-        out = make_recording(self._state, 1, self._lengths)
+        out, look = make_recording(self._state, 1, self._lengths), make_look(self._state)
         self._engine.show_peaks()
-        look = make_look(self._state)
         look_now(self.system, self._state, look, self.time)
         record_frame(self.system, self._state, self.ledger, look, 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
