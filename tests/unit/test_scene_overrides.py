@@ -147,6 +147,7 @@ def test_another_file_takes_the_place_of_what_was_read(
     assert changed.ropes[0].made_of.curve.tension == (500.0, 1500.0)  # type: ignore[union-attr]
     assert made.curve is not None  # "give either file or ..." it was, by a field of one model
     assert made.curve.replace(file="b.csv").tension == (500.0, 1500.0)
+    assert made.curve.replace(file=None).tension == made.curve.tension  # none takes nothing away
     tetra = Mesh(
         vertices=[(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
         faces=[(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)],

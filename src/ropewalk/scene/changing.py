@@ -304,7 +304,7 @@ def displaced(names: Iterable[str], key: str, value: Any) -> set[str]:
     """Return which of a table's `names` a new value for `key` takes away: what went with the old one."""
     if key == "library" and value:
         return set(names) - {"kind"}
-    if key == "file":
+    if key == "file" and value:
         return _FROM_FILES & set(names)
     return {"diameter"} & set(names) if key == "made_of" and brings_diameter(value) else set()
 
