@@ -173,3 +173,24 @@ def test_a_slider_makes_few_parts(tmp_path: Path) -> None:
     assert 2 < len(scenes) < 6
     masses = [one.ropes[0].own_mass for one in (scenes[-1], session.scene)]
     assert masses[0] == pytest.approx(masses[1])
+
+
+def test_a_load_begins_a_part_however_soon_it_comes(tmp_path: Path) -> None:
+    """Within half a second of another change it came into no part, nor did the last value."""
+    session = swinging()
+    keeper = Keeper(session, tmp_path / "run")
+    do(session, "set", name="EA", value=4e4)
+    session.advance(3 * session.frame_steps)
+    do(session, "load", node=2, mass=3.0)
+    session.advance(3 * session.frame_steps)
+    do(session, "set", name="EA", value=8e4)
+    do(session, "kick", node=2, velocity=[0.0, 1.0, 0.0])  # which is no reason for a part
+    session.advance(3 * session.frame_steps)
+    keeper.close()
+    found = [Result.open(one) for one in parts(tmp_path / "run")]
+    loads = [[one.mass for one in result.scene.ropes[0].loads] for result in found]
+    assert loads == [[], [], [3.0], [3.0]]
+    stiff = [result.scene.ropes[0].made_of.EA for result in found]  # type: ignore[union-attr]
+    assert stiff == pytest.approx([2e4, 4e4, 4e4, 8e4])
+    assert [result.frames for result in found] == [1, 3, 6, 1]
+    assert len(ReplayBroadcast(tmp_path / "run", playing=False).parts) == 4

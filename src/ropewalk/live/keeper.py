@@ -82,7 +82,8 @@ class Keeper:
         self._every = 1
         self._count = 0
         self._layout: Layout | None = None
-        self._scene = session.main.scene  # with which the part began
+        self._scene = self._seen = session.main.scene  # when the part began, at the last command
+        self._due = False  # more than constants has changed since the part began
         self._changed = -math.inf  # [s] when constants alone last began a part
         self._taken: dict[str, tuple[bool, bool]] = {}  # bodies that hands have moved, turned
         self._parted: tuple[Parted, ...] = ()  # what was told of
@@ -106,7 +107,9 @@ class Keeper:
     def _on_command(self, count: int, client: int, command: Command) -> None:
         about = command.model_dump(mode="json", exclude={"id"})
         self._put(lambda: self._log("command", step=count, client=client, command=about))
-        simulation = self.session.main.simulation
+        simulation, scene = self.session.main.simulation, self.session.main.scene
+        self._due |= command.type != "set" and scene is not self._seen
+        self._seen = scene
         taken = {name: one.taken for name, one in spots(simulation).items()}
         if command.type in _JUMPS or simulation.layout != self._layout or taken != self._taken:
             self._new_part(Frozen.of(self.session, fresh=command.type in ("reset", "scene")))
@@ -133,10 +136,12 @@ class Keeper:
     def _has_other_constants(self) -> bool:
         """Tell whether constants, loads, joints are not the part's: a slider makes few parts only."""
         now = self.session.time
-        if self.session.main.scene is self._scene or abs(now - self._changed) < SETTLED:
+        if self.session.main.scene is self._scene:
+            return False
+        if not self._due and abs(now - self._changed) < SETTLED:
             return False
         self._changed = now
-        return self._parts < MOST_BY_CONSTANTS
+        return self._parts < (MOST_PARTS if self._due else MOST_BY_CONSTANTS)
 
     def _new_part(self, frozen: Frozen) -> None:
         if self._parts >= MOST_PARTS or self.failure:
@@ -148,7 +153,8 @@ class Keeper:
         self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block, here))
 
     def _begins(self, layout: Layout) -> None:
-        self._layout, self._scene = layout, self.session.main.scene
+        self._layout, self._due = layout, False
+        self._scene = self._seen = self.session.main.scene
         frame = max(_BYTES_OF_A_NODE * layout.nodes, 1)
         rate = self.session.loaded.run.frame_rate
         self._every = max(1, round(frame * rate / BYTES_PER_SECOND))
@@ -263,6 +269,8 @@ class Keeper:
     def close(self) -> None:
         """End the folder: everything is on disk, or `failure` says why not."""
         count, when = self.session.count, self.session.time
+        if self.session.main.scene is not self._scene:  # a slider's last value
+            self._new_part(Frozen.of(self.session))
 
         def job() -> None:
             self._end_part()
