@@ -11,6 +11,7 @@ import pytest
 from live.drive import do, slack_rope
 from ropewalk.live.exports import Exports
 from ropewalk.live.keeper import Keeper, parts
+from ropewalk.live.pictures import picture
 from ropewalk.live.session import Session
 from ropewalk.record.result import Result
 
@@ -49,3 +50,29 @@ def test_a_table_of_one_part_has_no_numbers_of_parts(tmp_path: Path) -> None:
     found = rows(keeper.flush(), "nodes.csv", tmp_path / "made")
     assert list(found[0]) == ["time [s]", "rope", "node", "x [m]", "y [m]", "z [m]"]
     keeper.close()
+
+
+def test_energies_count_on_from_part_to_part(tmp_path: Path) -> None:
+    """Gravity's jumped to zero, and the error began anew, at every part."""
+    session = Session(slack_rope(4))
+    keeper = Keeper(session, tmp_path / "run")
+    shown, kinds = [], [("cut", {"segment": 1}), ("pin", {"node": 2}), ("reset", {}), ("", {})]
+    for kind, keys in kinds:
+        session.advance(5 * session.frame_steps)
+        shown.append(picture(session.main).scalars)
+        if kind:
+            do(session, kind, **keys)
+    keeper.close()
+    found = rows(tmp_path / "run", "energies.csv", tmp_path / "made")
+    columns = ["gravity energy [J]", "energy error [J]"]
+    values = [[float(row[name]) for name in columns] for row in found]
+    last = [[int(row["part"]) for row in found].index(number) - 1 for number in (2, 3, 4)] + [-1]
+    told = [[one["gravity"], one["energy_error"]] for one in shown]
+    assert [values[row] for row in last] == [pytest.approx(one, rel=1e-6) for one in told]
+    for row in last[:2]:  # neither cut nor pin changes it
+        assert values[row + 1] == pytest.approx(values[row], abs=1e-6)
+    assert values[last[2] + 1] == [0.0, 0.0]
+    assert abs(told[1][1]) > 1e-3  # J: there is an error to count on
+    for row in found:
+        parts_of = [float(row[f"{name} energy [J]"]) for name in ("kinetic", "gravity", "elastic")]
+        assert float(row["total energy [J]"]) == pytest.approx(sum(parts_of), abs=1e-9)

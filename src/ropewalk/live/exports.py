@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.live.keeper import parts
+from ropewalk.live.recorded import Recorded, followed
 from ropewalk.live.share import share_run
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.export import new_file, write_csv
@@ -84,6 +85,7 @@ def _joined(results: Sequence[Result], quantity: str, every: int) -> Table:
     """Return the table of a quantity through all parts of a session.
 
     Of more than one part it ends with the part's number, and has nothing where a part lacks a column.
+    Energies and their error count on from the part before, as the page's graph has them.
     """
     found = [
         (number, table)
@@ -95,13 +97,28 @@ def _joined(results: Sequence[Result], quantity: str, every: int) -> Table:
     first = found[0][1]
     if len(results) == 1:
         return first
+    carried = [dict[str, float]()] * len(results)
+    if quantity == "energy":
+        carried = [_carried(part) for part in followed(results)]
     headers = list(dict.fromkeys(name for _, table in found for name in table.headers))
 
     def pieces() -> Iterator[list[NDArray[Any]]]:
         for number, table in found:
             for columns in table.pieces():
                 known, rows = dict(zip(table.headers, columns, strict=True)), len(columns[0])
+                for name, energy in carried[number - 1].items():
+                    known[name] = known[name] + energy
                 nothing = np.full(rows, "", dtype=object)
                 yield [*(known.get(name, nothing) for name in headers), np.full(rows, number)]
 
     return Table(first.name, [*headers, "part"], pieces)
+
+
+def _carried(part: Recorded) -> dict[str, float]:
+    """Return what is to be added to a part's own columns of energy [J]."""
+    gravity, error = part.carried_gravity, part.carried_error
+    return {
+        "gravity energy [J]": gravity,
+        "total energy [J]": gravity,
+        "energy error [J]": error,
+    }

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ropewalk.core.arrays import Floats
@@ -30,6 +32,8 @@ class Recorded:
         self.past = past if past is not None and past.last == result.frames - 1 else None
         self.first_energy, self._first_gravity = 0.0, float(self._energy(0)[0][1])
         self.first_energy = self._error(0)
+        #: What a session has to add to the run's own energy of gravity, and to its energy error [J].
+        self.carried_gravity, self.carried_error = 0.0, 0.0
         self._up = np.array(result.scene.up)
         lets_go = {one.name: one.release_time for one in result.scene.anchors}
         #: When each anchor lets go [s], None: never.
@@ -75,7 +79,9 @@ class Recorded:
         else:
             shift = self._gravity_zero() - before._gravity_zero()
         self._first_gravity = before._first_gravity + shift
-        self.first_energy += self._error(0) - before._error(frame)
+        self.carried_gravity = before.carried_gravity - shift
+        self.carried_error = before._error(frame)
+        self.first_energy += self._error(0) - self.carried_error
 
     def _energy(self, frame: int) -> tuple[Floats, Floats]:
         """Return a frame's energies, and its work by laws and anchors [J]."""
@@ -222,3 +228,22 @@ class Recorded:
             self._data = found
             self._piece = piece
         return self._data, frame - piece * _PIECE
+
+
+def followed(results: Sequence[Result]) -> list[Recorded]:
+    """Return the parts of a session, each with its energies counted on from that which it goes on from."""
+    found = [Recorded(result) for result in results]
+    for part in found[:-1]:
+        part.past = None  # it was gone on from
+    for number, part in enumerate(found):
+        begun = [one for one in found[:number] if one.time[0] <= part.time[0]]
+        known = [one for one in begun if part.time[0] <= _latest(one)] or begun
+        if known and part.time[0] > 0.0:
+            part.follow(known[-1])
+    return found
+
+
+def _latest(part: Recorded) -> float:
+    """Return the latest time [s] at which another part may go on from one: its next frame's."""
+    last = part.time[-2:]
+    return float(last[-1] + max(last[-1] - last[0], part.result.plan.frame_interval)) + 1e-9

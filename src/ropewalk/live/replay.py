@@ -18,7 +18,7 @@ from ropewalk.live.inbox import Reply
 from ropewalk.live.keeper import parts
 from ropewalk.live.messages import error_message
 from ropewalk.live.parameters import refusal
-from ropewalk.live.recorded import Recorded
+from ropewalk.live.recorded import Recorded, followed
 from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene
@@ -34,14 +34,7 @@ class ReplayBroadcast:
     def __init__(self, run: Path | Result, *, playing: bool = True) -> None:
         """Take a result, or open a run folder. Raises RunError."""
         results = [run] if isinstance(run, Result) else [Result.open(one) for one in parts(run)]
-        self.parts = [Recorded(result) for result in results]
-        for part in self.parts[:-1]:
-            part.past = None  # it was gone on from
-        for number, part in enumerate(self.parts):
-            begun = [one for one in self.parts[:number] if one.time[0] <= part.time[0]]
-            known = [one for one in begun if part.time[0] <= _latest(one)] or begun
-            if known and part.time[0] > 0.0:
-                part.follow(known[-1])
+        self.parts = followed(results)
         self.first = np.cumsum([0, *(part.frames for part in self.parts)])
         self.times = _timeline(self.parts)
         self.duration = float(self.times[-1])
@@ -176,12 +169,6 @@ class ReplayBroadcast:
         if part != len(self.parts) - 1 or self.sound == len(self.times):
             return None
         return {"time": self.broke_at, "text": self.parts[part].result.diagnosis}
-
-
-def _latest(part: Recorded) -> float:
-    """Return the latest time [s] at which another part may go on from one: its next frame's."""
-    last = part.time[-2:]
-    return float(last[-1] + max(last[-1] - last[0], part.result.plan.frame_interval)) + 1e-9
 
 
 def _timeline(parts: list[Recorded]) -> Floats:
