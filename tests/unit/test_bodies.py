@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Box, Cylinder, Material, Scene, Straight
+from ropewalk.scene import Box, Cylinder, Material, Plane, Scene, Straight
 from ropewalk.scene.motions import Velocity
 from ropewalk.words.safe_side import rounded_down
 
@@ -235,3 +235,10 @@ def test_a_disc_is_moved_in_its_own_plane_as_fast_as_in_the_scene() -> None:
     body.move_to((0.5, 0, -0.7), 0.1)
     simulation.step(0.1)
     np.testing.assert_allclose(body.position, (0.5, 0, -0.7), atol=1e-9)
+
+
+def test_a_plane_is_moved_as_fast_as_one_likes() -> None:
+    """Nothing is jumped over: what is behind it is within."""
+    scene = on_a_table().replace(obstacles=[Plane(name="floor", point=(0, 0, -1))])
+    floor = rw.Simulation(scene).obstacles["floor"]
+    assert floor.fastest == floor.fastest_along((1, 0, 0)) == float("inf")

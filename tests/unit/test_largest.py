@@ -81,7 +81,7 @@ def test_only_hasty_solves_are_slow() -> None:
     report[HASTY] = 1.0
     assert [k for k in range(26) if is_slow(report, k)] == list(range(10, 19))
     report[RESIDUAL] = 2e3
-    assert [k for k in range(26) if is_slow(report, k)] == list(range(4, 19))
+    assert [k for k in range(26) if is_slow(report, k)] == list(range(8, 19))
     report[RESIDUAL] = 2.0 * 0.018
     assert [k for k in range(26) if is_slow(report, k)] == []
     report[RESIDUAL] = 2.0 * 0.019

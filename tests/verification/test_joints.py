@@ -201,7 +201,7 @@ def test_live_edits_keep_joints() -> None:
     assert [tie.rope for tie in parts.scene.joints[0].points] == ["leg0", "leg1", "leg2-2"]
     parts.step(0.02)
     assert together(parts)
-    pinned = edits.pin(cutting.scene, parts.layout, 6)
+    pinned = edits.pin(cutting.scene, parts.layout, 6, "pin1")
     held = carry_over(parts, pinned.scene, pinned.source)
     place = held.arrays.x[:, 6].copy()
     held.step(0.02)

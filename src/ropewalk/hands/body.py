@@ -124,7 +124,9 @@ class ObstacleHandle:
         Raises ValueError for anything but three finite numbers.
         """
         ways, system = [three("way", way, "m")], self._simulation.system
-        thin = thin_along(system, self._row, self._body, ways)[0]
+        thin = float(thin_along(system, self._row, self._body, ways)[0])
+        if math.isinf(thin):  # a plane: nothing is jumped over
+            return self.fastest
         return self.fastest + (thin - radius_with_rope(system, self._body)) / self._step
 
     @property

@@ -22,7 +22,7 @@ FIRST, LAST, EXACT, WARINESS, HELD_BACK, FAILED, LEAPS, LEAP, MERIT = range(9, 1
 # How quickly a contact stops what it hits in the last step [1/s]; whether a solve is given up early, 1 or 0.
 QUICK, HASTY, HISTORY = 18, 19, 20
 # A hasty solve is given up where after k iterations its residual is above SLOW FALL^k of the largest force.
-SLOW, FALL, FIRST_ASKED, LAST_ASKED = 100.0, 0.62, 4, 18
+SLOW, FALL, FIRST_ASKED, LAST_ASKED = 100.0, 0.62, 8, 18
 # How a solve begins, or goes on: with or without the aid that it has paused for.
 BEGIN, AIDED, UNAIDED = range(3)
 PAUSED = -1  # beside OK and UNSOLVED

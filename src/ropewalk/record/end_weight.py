@@ -79,7 +79,8 @@ def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
     else:
         pulls = result.read("reactions", 0, result.good_frames)[:, row]
         force = float(np.linalg.norm(pulls, axis=1).max())
-    frame = result.frame_at(peak.until)
+    # an equilibrium is one frame, and does not say of rigid links when
+    frame = result.frame_at(peak.until) if math.isfinite(peak.until) else 0
     places = result.read("positions", frame, frame + 1)[0]
     model = result.scene, result.layout
     if not is_end_weight(model, row, peak.place, (peak.value, force), places):
