@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from pathlib import Path
 
@@ -85,6 +86,85 @@ def test_what_is_enough_is_not_refused() -> None:
     rw.equilibrium(
         sinker.replace(ropes=[sinker.ropes[0].replace(loads=[rw.Load(node=-1, mass=1.0)])])
     )
+
+
+def _of(name: str, length: float, start: tuple[int, ...], end: tuple[int, ...], **more: object) -> Rope:
+    made_of = Material(EA=1e5, mass_per_length=0.5)
+    shape = {"kind": "slack", "start": start, "end": end}
+    return Rope(
+        name=name, length=length, diameter=0.02, made_of=made_of, shape=shape, **{"segments": 4} | more
+    )
+
+
+def _tied(*ropes: Rope) -> Scene:
+    """Ropes one after the other, each tied to the next, and held at both ends."""
+    names = [rope.name for rope in ropes]
+    return Scene(
+        ropes=ropes,
+        anchors=[Anchor(rope=names[0], node=0), Anchor(rope=names[-1], node=-1)],
+        joints=[
+            {"points": [{"rope": a, "node": -1}, {"rope": b, "node": 0}]}
+            for a, b in itertools.pairwise(names)
+        ],
+    )
+
+
+AFLOAT = {"submerged_weight": 0.0}
+POLY = _of("poly", 6.0, (0, 0, 0), (5, 0, -2), **AFLOAT)
+MORE = _of("more", 2.0, (5, 0, -2), (6, 0, -2), **AFLOAT)
+HEAVY = _of("chain", 8.0, (5, 0, -2), (10, 0, -4)).replace(**{"made_of.mass_per_length": 3.0})
+
+
+def _ridden(mass: float) -> Scene:
+    """A line that buoyancy carries, and a bob of this mass on a slide along it."""
+    bob = Rope(
+        name="bob", segments=1, length=0.5, made_of=Material(EA=1e5, mass_per_length=0.1),
+        shape=Straight(start=(2.5, 0, -1), direction=(0, 0, -1)), submerged_weight=0.0,
+        loads=[rw.Load(node=-1, mass=mass)] if mass else [],
+    )  # fmt: skip
+    line = _of("poly", 6.0, (0, 0, 0), (5, 0, 0), segments=24, **AFLOAT)
+    ends = [Anchor(rope="poly", node=node) for node in (0, -1)]
+    return Scene(ropes=[line, bob], anchors=ends, slides=[{"rope": "bob", "on": "poly", "at": 3.0}])
+
+
+@pytest.mark.parametrize("between", [(), (MORE,)])
+def test_what_a_heavy_rope_stretches_needs_no_weight(between: tuple[Rope, ...]) -> None:
+    """It was refused, and `check` said "0 N" and "rise 1.884 m over 15.63 m" of the first one."""
+    chain = HEAVY.replace(shape={"kind": "slack", "start": (6, 0, -2), "end": (10, 0, -4)})
+    tied = _tied(POLY, *between, chain if between else HEAVY)
+    rest = rw.equilibrium(tied)
+    pull = rest.tension[0, :4]
+    assert pull == pytest.approx(pull[0])
+    assert np.linalg.norm(rest.positions[0, 4]) == pytest.approx(6.0 * (1.0 + pull[0] / 1e5))
+    assert rest.reactions[0, :, 2].sum() == pytest.approx(24.0 * 9.81)
+    said = check(tied, measure=False).ropes[0].largest_tension
+    assert said == pytest.approx(pull[0])
+    if not between:
+        assert said == pytest.approx(129.91, abs=0.01)
+
+
+def test_what_slides_along_a_rope_stretches_it() -> None:
+    """It was refused; it hangs in two straight lines from the load, as an ellipse has it."""
+    rest = rw.equilibrium(_ridden(20.0))
+    half = 20.0 * 9.81 / 2.0
+    steep = math.sqrt(3.0**2 - 2.5**2) / 3.0
+    # it bends over three nodes where the slide is, not in a point
+    assert rest.tension[0, :9] == pytest.approx(half / steep, rel=0.03)
+
+
+@pytest.mark.parametrize(
+    "slack",
+    [
+        _tied(POLY, MORE),
+        _ridden(0.0),
+        _tied(POLY, HEAVY).replace(anchors=[Anchor(rope="poly", node=n) for n in (0, -1)]),
+        _tied(POLY, HEAVY).replace(anchors=[Anchor(rope="chain", node=-1)]),
+    ],
+    ids=["nothing is heavy", "the bob floats, too", "both ends are held", "a free tail"],
+)
+def test_what_nothing_stretches_is_still_refused(slack: Scene) -> None:
+    with pytest.raises(rw.SceneError, match=r"no shape of its own: .*buoyancy carries it all"):
+        rw.equilibrium(slack)
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from ropewalk.lowering import Model, Span
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
-from ropewalk.statics.tied import partners, tied_nodes
+from ropewalk.statics.tied import partners, points, tied_nodes
 
 _ROUNDING = 1e-9  # of a weight: what buoyancy leaves of it by rounding [1]
 
@@ -52,7 +52,10 @@ def _fault_of(model: Model, rope: Span) -> str:
     if Rest.CARRIES in rests or bends or _is_drawn(model, rope):
         return ""
     outer = rope.start != held[0] or rope.end != held[-1]
-    slack = any(_is_slack(model, a, b) for a, b in itertools.pairwise(held))
+    slack = any(
+        _is_slack(model, a, b) and not _is_laden(model, rope, a, b)
+        for a, b in itertools.pairwise(held)
+    )
     if outer or slack:
         part = (
             "the part beyond its last anchor" if outer else "it is slack between its anchors, and"
@@ -109,6 +112,32 @@ def _is_drawn(model: Model, rope: Span) -> bool:
     """Whether weight or a constant force acts on a node of the rope that the other does not take up."""
     weight, push = _forces_on(model, rope)
     return bool(np.abs(weight + push).max() > _ROUNDING * np.abs(weight).max())
+
+
+def _is_laden(model: Model, rope: Span, first: int, last: int) -> bool:
+    """Whether weight or a constant force stretches the part of a rope between two nodes, from elsewhere.
+
+    By what slides along the rope or, where an end of the part is not fixed, by what joints tie to it.
+    """
+    loose = not (_is_fixed(model, first) and _is_fixed(model, last))
+    beside = partners(model, rope) if loose else [rope]
+    seen = {rope.name}
+    while beside:
+        one = beside.pop()
+        riders = {slide.rope for slide in model.scene.slides if slide.on == one.name} - seen
+        beside += [other for name in riders for other in partners(model, model.layout.span(name))]
+        seen |= riders
+        if one.name != rope.name and _is_drawn(model, one):
+            return True
+    return False
+
+
+def _is_fixed(model: Model, node: int) -> bool:
+    """Whether an anchor holds a node, or one that a joint ties to it."""
+    anchored, number = model.state.anchor_node[model.state.held == 1], points(model)
+    if number is None:
+        return bool((anchored == node).any())
+    return bool((number[anchored] == number[node]).any())
 
 
 def _is_held(model: Model, rope: Span) -> bool:
