@@ -169,3 +169,26 @@ def test_what_wind_or_bending_adds_to_an_anchor_is_no_weight(blows: bool) -> Non
         assert (said.largest_anchor_force is not None) == told
         borne = np.linalg.norm(rw.equilibrium(scene).reactions[0], axis=1).max()
         assert said.utilisation == pytest.approx(1e-3 * borne, rel=1e-6)
+
+
+def test_what_wind_adds_to_an_anchor_parts_no_segment() -> None:
+    """Of 243.9 N in the segments and 248.9 N at the anchor "it parts" was said for 246.4 N; it holds."""
+    stuff = rw.Material(EA=1e6, mass_per_length=2.0, breaking_load=246.4, parts=True)
+    rope = rw.Rope(
+        segments=4, length=4.0, diameter=0.05, made_of=stuff,
+        shape={"kind": "straight", "start": (0, 0, 0), "end": (3.5, 0, 0)},
+    )  # fmt: skip
+    wind = {"density": 1.2, "wind": (0, 60, 0), "tangential_coefficient": 0.01}
+    blown = rw.Scene(ropes=[rope], anchors=[{"node": 0}, {"node": -1}], air=wind)
+    tension = rw.equilibrium(blown).tension.max()
+    assert tension < 246.4
+    for load, parts in ((246.4, False), (0.999 * tension, True)):
+        told = rw.check(blown.replace(**{"rope.made_of.breaking_load": load}), measure=False)
+        found, said = told.ropes[0], " ".join(told.lines())
+        assert found.parts_at_rest is parts
+        assert found.utilisation * load == pytest.approx(found.anchor_bears)
+        assert (f"safety factor {1 / found.utilisation:.3g}; it parts" in said) is parts
+        assert ("with more segments it parts" in said) is not parts
+        assert f"its anchor bears {found.anchor_bears:.5g} N, with what else acts" in said
+        when = "it parts by the time" if parts else "it may part by the time"
+        assert any(when in text for text in told.warnings)

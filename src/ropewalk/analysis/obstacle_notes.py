@@ -89,20 +89,20 @@ def _long_segments(model: Model, body: Obstacle) -> list[str]:
 def _yielding(model: Model, statics: Statics, row: int) -> list[str]:
     """Return a sentence where an obstacle may yield by much of its own radius, or of a rope's."""
     body, table = model.scene.obstacles[row], model.system.node.obstacle
-    found = []
+    allowed = _YIELDS * np.where(table.thickness > 0.0, table.thickness, thinnest(body))
+    found, most = [], math.inf
     for what, forces in _presses(model, statics, row).items():
-        depth, thick = depth_under(table, forces)[row], table.thickness
-        least = np.where(thick > 0.0, thick, thinnest(body))
-        worst = int(np.argmax(depth - _YIELDS * least))
-        found.append(
-            (float(depth[worst]), what, float(_YIELDS * least[worst]), float(forces[worst]))
-        )
-    yields, what, allowed, force = max(found, key=lambda one: one[0] - one[2])
-    if not yields > allowed:
+        depth = depth_under(table, forces)[row]
+        worst = int(np.argmax(depth / allowed))
+        found.append((float(depth[worst] / allowed[worst]), what, float(depth[worst])))
+        pressed = forces > 0.0
+        most = min(most, float((allowed[pressed] / forces[pressed]).min(initial=math.inf)))
+    share, what, yields = max(found, key=lambda one: one[0])
+    if not share > 1.0:
         return []
     return [
         f"obstacle {body.name!r}: {what} presses it in by {1e3 * yields:.3g} mm; give it a compliance of "
-        f"at most {rounded(allowed / force)} m/N where that matters"
+        f"at most {rounded(most)} m/N where that matters"
     ]
 
 

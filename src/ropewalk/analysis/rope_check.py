@@ -32,6 +32,8 @@ _OF_REST = (  # None where it is not at rest
     "worst",
     "largest_push",
     "largest_anchor_force",
+    "anchor_bears",
+    "parts_at_rest",
 )
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
@@ -67,14 +69,8 @@ class RopeCheck:
     largest_anchor_force: float | None = (
         None  # beside the largest tension, where it is half a segment's weight more [N]
     )
-
-    @property
-    def parts_at_rest(self) -> bool:
-        """Whether a segment parts as the rope is: anchors bear more than the segments beside them."""
-        if self.utilisation is None or not self.parts:
-            return False
-        most = max(self.largest_tension, self.largest_anchor_force or 0.0)
-        return self.utilisation * self.largest_tension > most
+    anchor_bears: float | None = None  # there, where this makes the utilisation [N]
+    parts_at_rest: bool = False  # whether a segment does; an anchor may bear more than that beside it
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -90,10 +86,7 @@ class RopeCheck:
         )
         text.append(f"  at rest: largest tension {prefixed(self.largest_tension, 'N', 5)}{strain}")
         text += [f"  at rest: {self.softer}"] if self.softer and self.largest_tension > 0.0 else []
-        more = self.largest_anchor_force or 0.0
-        if more > (1.0 + MORE) * self.largest_tension:
-            bears = prefixed(more, "N", 5)
-            text.append(f"  at rest: its anchor bears {bears}, half a segment's weight more")
+        text += self._anchor_line()
         if self.largest_push > 0.0:
             text.append(f"  at rest: largest push {prefixed(self.largest_push, 'N', 5)}")
         if self.utilisation is not None:
@@ -105,6 +98,17 @@ class RopeCheck:
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
+
+    def _anchor_line(self) -> list[str]:
+        """Return what its anchor bears, where that is more than the segments carry."""
+        by_weight = self.largest_anchor_force is not None
+        more = (self.largest_anchor_force if by_weight else self.anchor_bears) or 0.0
+        if not more > (1.0 + MORE) * self.largest_tension:
+            return []
+        why = "half a segment's weight more"
+        if not by_weight:
+            why = "with what else acts on its node, as wind and bending do"
+        return [f"  at rest: its anchor bears {prefixed(more, 'N', 5)}, {why}"]
 
     def as_dict(self) -> dict[str, object]:
         """Plain values; None for all that is said of rest where it is not at rest."""
@@ -137,7 +141,8 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     taut, largest = tension > 0.0, float(tension.max(initial=0.0))
     force, by_weight = _anchor_force(model, statics, span.start + int(np.argmax(tension)))
     own_force = by_weight or model.scene.ground is None  # NeHe's ground pushes on anchors, too
-    use = None if load is None else max(largest, force if own_force else 0.0) / load
+    bears = force if load is not None and own_force and force > largest else None
+    use = None if load is None else (bears or largest) / load
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
     stretched = np.linalg.norm(
         np.diff(statics.positions[span.start : span.end + 1], axis=0), axis=1
@@ -165,6 +170,8 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         worst=None if use is None else worst_of(rope.made_of, use),
         largest_push=largest_push(tension, statics.residual),
         largest_anchor_force=force if by_weight else None,
+        anchor_bears=bears,
+        parts_at_rest=rope.strength < math.inf and load is not None and largest > load,
     )
 
 
