@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -17,6 +19,7 @@ from ropewalk.theory import (
     rope_from_fall,
     solid_fall,
     solid_from_edge_fall,
+    solid_from_fall,
 )
 
 LABEL = ("8.464 kN", "33.15 %", "64.9 g/m")
@@ -227,3 +230,21 @@ def test_a_load_that_is_let_go_at_once_is_a_fall_of_factor_0(damping: float) -> 
         rope_fall(EA, damping, mass, factor=-1.0)
     with pytest.raises(ValueError, match="factor: 0.0 - must be a positive number$"):
         rope_from_fall(9000.0, 0.3, mass, factor=0.0)
+
+
+@pytest.mark.parametrize(
+    "fit",
+    [
+        lambda force: rope_from_fall(force, 0.31, 80.0),
+        lambda force: solid_from_fall(force, 0.3315, 9324.0, 80.0),
+    ],
+)
+def test_forces_between_which_a_fall_may_have_one_are_possible(
+    fit: Callable[[float], object],
+) -> None:
+    """ "From 5484" was rounded to the nearest, and 5484 N refused."""
+    with pytest.raises(ValueError, match="must be from") as refused:
+        fit(1.0)
+    for bound in re.findall(r"from (\S+) to (\S+) N", str(refused.value))[0]:
+        assert fit(float(bound))
+        assert len(bound.strip("0")) <= 4

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import numpy as np
@@ -236,6 +237,19 @@ def test_the_length_of_a_curve() -> None:
 def test_what_cannot_be_tied_is_refused_in_words(name: str, more: Any, said: str) -> None:
     with pytest.raises(ValueError, match=said):
         knots.knot(name, D, **more)
+
+
+@pytest.mark.parametrize("diameter", [0.010123, 0.011, 0.0123457])
+def test_sizes_that_are_told_are_those_of_a_knot(diameter: float) -> None:
+    """They were rounded to the nearest, and refused when given."""
+    with pytest.raises(ValueError, match="post_radius") as refused:
+        knots.knot("bollard", diameter, post_radius=1e3)
+    for bound in re.findall(r"from (\S+) to (\S+) m", str(refused.value))[0]:
+        assert knots.knot("bollard", diameter, post_radius=float(bound))
+    with pytest.raises(ValueError, match="length") as refused:
+        knots.knot("overhand", diameter).points(500, 1e-3)
+    need = float(re.findall(r"more than (\S+) m", str(refused.value))[0])
+    assert len(knots.knot("overhand", diameter).points(500, need * (1.0 + 1e-9))) == 501
 
 
 def test_a_rope_too_short_or_too_coarse_is_refused_in_words() -> None:

@@ -55,6 +55,18 @@ def test_a_rod_that_stands_does_not_hang_free(EI: float, stands: bool) -> None:
     assert _tail_words(tail) == ("stands or hangs" if stands else "hangs free")
 
 
+@pytest.mark.parametrize(("height", "lies"), [(-0.3, True), (-1.5, False)])
+def test_a_rod_that_lies_on_the_ground_does_not_stand(height: float, lies: bool) -> None:
+    """Every tail with EI was told to stand or hang, one that lies on the ground, too."""
+    ground = {"height": height, "repulsion": 1e4, "damping_ratio": 1.0}
+    clamp = None if lies else Clamp(direction=(1.0, 0.0, 0.0))
+    rod = WIRE.replace(EI=0.05 if lies else 50.0)
+    tail = span_of(1.0, rod, anchors=[Anchor(node=0, clamp=clamp)], ground=ground)
+    assert tail.stands is not lies
+    assert ("hang or lie, " if lies else "stand or hang, ") in tail.words
+    assert _tail_words(tail) == ("hangs or lies" if lies else "stands or hangs")
+
+
 def test_a_rope_on_a_drum_is_not_told_to_be_held_by_nothing() -> None:
     arc = [(0.0508 * math.cos(a), 0.0, 0.0508 * math.sin(a)) for a in np.linspace(math.pi, 0, 17)]
     over = Polyline(points=[(-0.0508, 0, -0.1), *arc, (0.0508, 0, -0.1)])

@@ -54,11 +54,11 @@ def test_a_line_of_what_does_not_stretch() -> None:
         ({"sag": "3 kg"}, "of another kind"),
         ({"sag": "2cm%"}, "or a share of the span such as"),
         ({"sag": -1.0}, "greater than 0"),
-        ({"pretension": 10.0}, "10.0 - must be from 1.217 kN to 6.377 MN"),
-        ({"pretension": "15 kgf"}, '"15 kgf" - must be from 1.217 kN'),
+        ({"pretension": 10.0}, "10.0 - must be from 1.218 kN to 6.376 MN"),
+        ({"pretension": "15 kgf"}, '"15 kgf" - must be from 1.218 kN'),
         ({"sag": "-2 %"}, "must be a share of the span greater than 0"),
         ({"sag": "1/2 %"}, "must be a length such as"),
-        ({"length": "10 m"}, '"10 m" - must be more than'),
+        ({"length": "10 m"}, '"10 m" - must be at least'),
         ({"length": 10.0}, "set up with at most 90 % of stretch"),
         ({"length": 1e5}, "must be at most"),
         ({"sag": "x"}, "must be a number of m"),
@@ -270,7 +270,7 @@ def test_data_sheets_that_cannot_be() -> None:
         M.from_fall("8.8 kg", "32 %", 0.06)
     with pytest.raises(SceneError, match='such as 0.08 or "8 %"'):
         M.from_elongation(800.0, "8", 0.06)
-    with pytest.raises(ValueError, match=r"must be from 5339 to 1.025e\+04 N"):
+    with pytest.raises(ValueError, match=r"must be from 5339 to 102\d0 N"):
         M.from_fall(20e3, 0.32, 0.06)
     with pytest.raises(SceneError, match="32 - must be a share such as"):
         M.from_fall(8800.0, 32, 0.06)

@@ -88,11 +88,18 @@ def test_what_is_enough_is_not_refused() -> None:
     )
 
 
-def _of(name: str, length: float, start: tuple[int, ...], end: tuple[int, ...], **more: object) -> Rope:
+def _of(
+    name: str, length: float, start: tuple[int, ...], end: tuple[int, ...], **more: object
+) -> Rope:
     made_of = Material(EA=1e5, mass_per_length=0.5)
     shape = {"kind": "slack", "start": start, "end": end}
     return Rope(
-        name=name, length=length, diameter=0.02, made_of=made_of, shape=shape, **{"segments": 4} | more
+        name=name,
+        length=length,
+        diameter=0.02,
+        made_of=made_of,
+        shape=shape,
+        **{"segments": 4} | more,
     )
 
 

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_bvp, solve_ivp
 
+import ropewalk as rw
 from ropewalk.theory import Cable, catenary, elastic_catenary, parabola
 
 # length, across, rise, weight, EA
@@ -249,3 +251,20 @@ def test_random_cables_close() -> None:
 def test_impossible_cables_are_refused(call, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         call()
+
+
+@pytest.mark.parametrize(("way", "unit"), [("sag", "m"), ("pretension", "N"), ("length", "m")])
+def test_bounds_of_a_line_that_are_told_are_those_of_one(way: str, unit: str) -> None:
+    """ "From 0.0005567 m to 992.8 m" was rounded to the nearest, and both were refused."""
+    told = list[str]()
+    for value in (1e-9, 1e12 / 2.0):
+        with pytest.raises(rw.SceneError) as refused:
+            rw.line(100.123, 3.0, "wire-7x19-12", **{way: value})  # type: ignore[arg-type]
+        number = rf"([\d.e+-]+ [kM]?{unit})"
+        pair = re.findall(
+            rf"from {number} to {number}|at (?:least|most) {number}", str(refused.value)
+        )
+        told += [bound for bound in pair[0] if bound]
+    assert len(set(told)) == 2
+    for bound in told:
+        assert rw.line(100.123, 3.0, "wire-7x19-12", **{way: bound}).length > 0.0  # type: ignore[arg-type]

@@ -70,7 +70,9 @@ class RopeCheck:
         None  # beside the largest tension, where it is half a segment's weight more [N]
     )
     anchor_bears: float | None = None  # there, where this makes the utilisation [N]
-    parts_at_rest: bool = False  # whether a segment does; an anchor may bear more than that beside it
+    parts_at_rest: bool = (
+        False  # whether a segment does; an anchor may bear more than that beside it
+    )
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""

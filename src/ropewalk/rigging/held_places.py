@@ -24,7 +24,7 @@ from ropewalk.scene.rope import Rope
 from ropewalk.scene.slide import Slide
 from ropewalk.statics.touches import Seat
 from ropewalk.theory import elastic_catenary
-from ropewalk.words.safe_side import rounded_down, rounded_up
+from ropewalk.words.safe_side import inwards
 
 _ROUNDS = 20  # of halving between two places
 _NEAREST = 0.01  # of the span: nearer to an anchor nothing is looked for [1]
@@ -77,10 +77,7 @@ def in_words(seat: Seat, places: tuple[float, float] | None) -> str:
     """Return what a user reads of them, empty for none."""
     if places is None:
         return ""
-    for figures in (4, 6, 9):
-        first, last = rounded_up(places[0], figures), rounded_down(places[1], figures)
-        if float(first) <= float(last):
-            break
+    first, last = inwards(*places)
     return (
         f"slide {seat.slide!r} is held anywhere from {first} to {last} m of rope {seat.on!r} "
         "(closed form of a line that hangs by its ends)"

@@ -28,7 +28,7 @@ from ropewalk.scene.faults import MISSING, NO_VALUE
 from ropewalk.scene.from_library import entry
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory import Cable, elastic_catenary
-from ropewalk.words.safe_side import rounded_down
+from ropewalk.words.safe_side import inwards, rounded_down, rounded_up
 
 if TYPE_CHECKING:
     from ropewalk.rigging.rolling import Rolling
@@ -339,15 +339,16 @@ def quantity(name: str, value: Any, unit: str, *, any_sign: bool = False) -> flo
 
 
 def _refuse_length(size: float, shortest: float, chord: float, rigid: bool, given: Any) -> None:
-    if size < shortest:
-        rule = f"must be more than {shortest:.6g} m: the ends are {chord:.6g} m apart"
-        most = f", and a line is set up with at most {100.0 * _LONGEST:.0f} % of stretch"
-        rule += ", and this rope does not stretch" if rigid else most
+    rule = ""
+    if size < shortest and rigid:
+        rule = f"must be more than {rounded_up(chord, 6)} m: this rope does not stretch between the ends"
+    elif size < shortest:
+        rule = f"must be at least {rounded_up(shortest, 6)} m: the ends are {chord:.6g} m apart, "
+        rule += f"and a line is set up with at most {100.0 * _LONGEST:.0f} % of stretch"
+    elif size > _SLACKEST * chord:
+        rule = f"must be at most {rounded_down(_SLACKEST * chord, 6)} m"
+    if rule:
         raise SceneError([Fault("length", given, rule)])
-    if size > _SLACKEST * chord:
-        raise SceneError(
-            [Fault("length", given, f"must be at most {rounded_down(_SLACKEST * chord, 6)} m")]
-        )
 
 
 def _slackest(pull: Callable[[float], float], shortest: float, chord: float) -> float:
@@ -367,9 +368,8 @@ def _within(way: str, found: float | tuple[float, float], given: Any, unit: str)
     """Return the length that was found. Raises SceneError with the least and the most that can be."""
     if isinstance(found, float):
         return found
-    least, most = (force(one) if unit == "N" else f"{one:.4g} {unit}" for one in found)
-    rule = f"must be from {least} to {most} for this rope and these ends"
-    raise SceneError([Fault(way, given, rule)])
+    ends = [force(float(one)) if unit == "N" else f"{one} {unit}" for one in inwards(*found)]
+    raise SceneError([Fault(way, given, f"must be from {' to '.join(ends)} between these ends")])
 
 
 def _bisected(

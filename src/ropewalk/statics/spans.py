@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from ropewalk.core.arrays import BENDING, Floats
-from ropewalk.laws.acting import at_rest
+from ropewalk.laws.acting import at_rest, borne
 from ropewalk.laws.node_law import Rest
 from ropewalk.laws.obstacle import touched
 from ropewalk.lowering import Model, Span
@@ -46,7 +46,9 @@ class RestSpan:
     largest_tension: float  # [N]; 0 where all of it is pressed
     largest_push: float = 0.0  # of a segment that is pressed [N]
     windy: bool = False  # whether a flow pushes, too, so that it hangs in no upright plane
-    stands: bool = False  # whether bending stiffness bears a tail that does not hang straight down
+    stands: bool = (
+        False  # whether bending stiffness alone bears a tail that does not hang straight down
+    )
 
     @property
     def words(self) -> str:
@@ -163,6 +165,7 @@ def _measure(
     free, distance = kind == "tail", float(np.linalg.norm(ends))
     drop, over_it = (_seen(float(one.max()), distance) for one in (chord - heights, heights - over))
     bends = model.scene.rope_named(rope.name).bending_stiffness > 0.0
+    lies = model.scene.ground is not None and borne(model.system, positions.T)[low : high + 1].any()
     return RestSpan(
         rope=rope.name,
         kind=kind,
@@ -181,7 +184,7 @@ def _measure(
         largest_tension=float(pull.max(initial=0.0)),
         largest_push=largest_push(pull, left),
         windy=Rest.CARRIES in at_rest(model.system),
-        stands=free and bends and -rise < distance * (1.0 - _STRAIGHT),
+        stands=free and bends and not lies and -rise < distance * (1.0 - _STRAIGHT),
     )
 
 

@@ -16,6 +16,7 @@ import math
 from dataclasses import dataclass
 
 from ropewalk.theory.given import need
+from ropewalk.words.safe_side import inwards, rounded_down
 
 _FALL_FACTOR = 1.77  # of EN 892: about 4.96 m of free fall on 2.8 m of rope
 _LENGTH = 2.8  # m
@@ -70,9 +71,9 @@ def rope_fall(
     need("gravity", gravity, "m/s^2")
     k, c = EA / length, axial_damping / length
     if not 0.0 <= c < 2.0 * math.sqrt(k * mass):
-        most = 2.0 * math.sqrt(EA * length * mass)
+        most = rounded_down(2.0 * math.sqrt(EA * length * mass), 6)
         raise ValueError(
-            f"axial_damping: {axial_damping:g} - must be from 0 to below {most:.6g} N s, the critical one"
+            f"axial_damping: {axial_damping:g} - must be from 0 to below {most} N s, the critical one"
         )
     delta = 0.5 * c / mass
     omega = math.sqrt(k / mass - delta * delta)
@@ -145,8 +146,9 @@ def rope_from_fall(
     least = min((0.01 * i for i in range(100)), key=lambda share: fall(share)[0].force)
     most_force, least_force = fall(0.0)[0].force, fall(least)[0].force
     if not least_force <= force <= most_force:
+        above, below = inwards(least_force, most_force)
         raise ValueError(
-            f"force: {force:g} - must be from {least_force:.4g} to {most_force:.4g} N: a fall of {mass:g} kg "
+            f"force: {force:g} - must be from {above} to {below} N: a fall of {mass:g} kg "
             f"that stretches the rope by {100.0 * stretch:.3g} % has no other force with spring and damper"
         )
     low, high = 0.0, least

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.theory.given import need
+from ropewalk.words.safe_side import inwards, rounded_down
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -216,7 +217,7 @@ def solid_from_fall(
     whole = mass * gravity * (factor + stretch)  # work of the weight over the rope's length [N]
     if not 0.5 * EA * stretch * stretch < whole:
         raise ValueError(
-            f"EA: {EA:g} - must be below {2.0 * whole / stretch**2:.4g} N to stretch so"
+            f"EA: {EA:g} - must be below {rounded_down(2.0 * whole / stretch**2, 4)} N to stretch so"
         )
     reach = 1e-6 * EA, 1e6 * whole / stretch
 
@@ -244,8 +245,9 @@ def find_time(force_of: Callable[[float], float], force: float, catch: float) ->
             break
     least = int(np.argmin(forces))
     if not forces[least] <= force <= forces[0]:
+        above, below = inwards(forces[least], forces[0])
         raise ValueError(
-            f"force: {force:g} - must be from {forces[least]:.4g} to {forces[0]:.4g} N: a rope that relaxes "
+            f"force: {force:g} - must be from {above} to {below} N: a rope that relaxes "
             "and has this EA and stretch has no other"
         )
     low, high = math.log(times[least]), math.log(times[0])

@@ -13,6 +13,7 @@ import math
 
 from ropewalk.theory.given import need
 from ropewalk.theory.solid_fall import root_of
+from ropewalk.words.safe_side import rounded_down
 
 PRELOAD_SHARE = 5.0 / 80.0  # of the load, in the test of climbing ropes [1]
 _LONGEST = math.log(1e3)  # strain that is looked at [1]
@@ -48,7 +49,7 @@ def rope_at_rest(
     least = (load - first) / elongation - first
     if not least > 0.0:
         most = (load - first) / first
-        raise ValueError(f"elongation: {elongation:g} - must be below {most:.4g}")
+        raise ValueError(f"elongation: {elongation:g} - must be below {rounded_down(most, 4)}")
 
     def under(strain: float) -> float:
         """Load over EA [1]."""

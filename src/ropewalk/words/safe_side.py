@@ -25,6 +25,15 @@ def rounded_up(value: float, figures: int = 3) -> str:
     return f"{float(f'{whole * unit:.{figures}g}'):.10g}"
 
 
+def inwards(least: float, most: float, figures: int = 4) -> tuple[str, str]:
+    """Return the bounds of a range, neither outside it: with more figures where so many would cross."""
+    for more in (figures, 6, 9):
+        low, high = rounded_up(least, more), rounded_down(most, more)
+        if float(low) <= float(high):
+            break
+    return low, high
+
+
 def longest_step(seconds: float) -> str:
     """Return the largest step that is stable, or allowed, in milliseconds: never above it."""
     if math.isinf(seconds):
