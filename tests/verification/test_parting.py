@@ -145,7 +145,12 @@ def test_of_a_guessed_breaking_load_the_least_counts(
 ) -> None:
     """A rope that cannot part was warned of, and one that can was not."""
     scene = hung(100.0)
-    rope = replace(rw.check(scene).ropes[0], utilisation=utilisation, worst=worst)
+    rope = replace(
+        rw.check(scene).ropes[0],
+        utilisation=utilisation,
+        worst=worst,
+        parts_at_rest=utilisation > 1.0,
+    )
     found = parting_warnings(scene, (rope,))
     assert [text.partition("at rest; ")[2] for text in found] == ([then] if then else [])
 

@@ -165,7 +165,8 @@ def _measure(
     free, distance = kind == "tail", float(np.linalg.norm(ends))
     drop, over_it = (_seen(float(one.max()), distance) for one in (chord - heights, heights - over))
     bends = model.scene.rope_named(rope.name).bending_stiffness > 0.0
-    lies = model.scene.ground is not None and borne(model.system, positions.T)[low : high + 1].any()
+    free_nodes = model.state.inverse_mass > 0.0
+    lies = (borne(model.system, positions.T) & free_nodes)[low : high + 1].any()
     return RestSpan(
         rope=rope.name,
         kind=kind,
