@@ -8,16 +8,7 @@ import pytest
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.methods.rounding import EPSILON
 from ropewalk.methods.stage import find_worst, largest_force, largest_misfit
-from ropewalk.methods.stage_report import (
-    HASTY,
-    HISTORY,
-    MISFIT,
-    NODE,
-    RESIDUAL,
-    SCALE,
-    TIGHT,
-    is_slow,
-)
+from ropewalk.methods.stage_report import HISTORY, MISFIT, NODE, RESIDUAL, SCALE, TIGHT
 
 NODES, C2 = 37, 0.005
 
@@ -71,18 +62,3 @@ def test_what_is_no_number_is_larger_than_all() -> None:
         assert np.isnan(report[MISFIT])
         find_worst(saddle.force, report)
         assert report[NODE] == node
-
-
-def test_only_hasty_solves_are_slow() -> None:
-    """Above 100 * 0.62^k of the largest force; neither at the first iterations nor at the last ones."""
-    report = np.zeros(HISTORY)
-    report[SCALE], report[RESIDUAL] = 2.0, 2.0
-    assert not any(is_slow(report, k) for k in range(26))
-    report[HASTY] = 1.0
-    assert [k for k in range(26) if is_slow(report, k)] == list(range(10, 19))
-    report[RESIDUAL] = 2e3
-    assert [k for k in range(26) if is_slow(report, k)] == list(range(8, 19))
-    report[RESIDUAL] = 2.0 * 0.018
-    assert [k for k in range(26) if is_slow(report, k)] == []
-    report[RESIDUAL] = 2.0 * 0.019
-    assert [k for k in range(26) if is_slow(report, k)] == [18]

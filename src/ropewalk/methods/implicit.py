@@ -61,7 +61,7 @@ from ropewalk.methods.scratch import (
     settle_reaction,
 )
 from ropewalk.methods.stage import Stage, make_stage
-from ropewalk.methods.stage_report import HASTY, SPLITS, TIME
+from ropewalk.methods.stage_report import SPLITS, TIME
 from ropewalk.methods.starts import Starts, make_starts, take_start
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
@@ -69,7 +69,6 @@ from ropewalk.methods.window import Windows, make_windows, solve_stage
 
 MOST_HALVINGS = 12
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
-HASTY_HALVINGS = 5  # down to which a solve that comes on slowly is given up for two shorter ones
 FEWEST_PARTS, MOST_PARTS = 2, 16  # that are solved before one of twice their length is tried
 
 
@@ -203,12 +202,9 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
 
 
 @part
-def begin_step(system, state, stage, mean, dt, last, warm, level, kind, A):
-    """Get ready for a step of `dt` [s]; `last`, `warm` and `level` as in `take_step`."""
+def begin_step(system, state, stage, mean, dt, last, warm):
+    """Get ready for a step of `dt` [s]; `last` and `warm` as in `take_step`."""
     clear_forces(system, mean)
-    hasty = level <= HASTY_HALVINGS and is_soft(kind, A)
-    hasty = hasty and couples(system) and not has_bending(system)
-    stage.report[HASTY] = 1.0 if hasty else 0.0
     if not warm:
         put_row(state.tension, stage.tension)
     shortens = stage.saddle.band.frozen[0] == 1  # for what they hit
@@ -239,7 +235,7 @@ def take_step(
     length of the part before, in the first that of the whole.
     """
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
-    begin_step(system, state, stage, mean, dt, last, warm, level, kind, A)
+    begin_step(system, state, stage, mean, dt, last, warm)
     for s in range(b.shape[0] if kind == DIRK else 1):
         if has_wheels(system):
             aim_all(system, state, kind, A, b, s, dt)

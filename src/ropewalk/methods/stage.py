@@ -47,7 +47,6 @@ from ropewalk.methods.stage_report import (
     TIGHT,
     find_worst,
     is_close,
-    is_slow,
     is_solved,
     keep_course,
     largest_force,
@@ -280,7 +279,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             if is_solved(report, LOOSE if stuck else TIGHT):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
-        if iteration == most or leaps > MOST_LEAPS or is_slow(report, iteration):
+        if iteration == most or leaps > MOST_LEAPS:
             find_worst(saddle.force, report)
             return UNSOLVED
         wary = WARY if failed else wary - 1

@@ -19,10 +19,7 @@ SHARE = 1e-3  # [1] of the merit's largest density: nodes with less at the ends 
 ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING = range(9)
 # Of a solve that has paused: the nodes that are to be solved first, and where it goes on from.
 FIRST, LAST, EXACT, WARINESS, HELD_BACK, FAILED, LEAPS, LEAP, MERIT = range(9, 18)
-# How quickly a contact stops what it hits in the last step [1/s]; whether a solve is given up early, 1 or 0.
-QUICK, HASTY, HISTORY = 18, 19, 20
-# A hasty solve is given up where after k iterations its residual is above SLOW FALL^k of the largest force.
-SLOW, FALL, FIRST_ASKED, LAST_ASKED = 100.0, 0.62, 8, 18
+QUICK, HISTORY = 18, 19  # how quickly a contact stops what it hits in the last step [1/s]
 # How a solve begins, or goes on: with or without the aid that it has paused for.
 BEGIN, AIDED, UNAIDED = range(3)
 PAUSED = -1  # beside OK and UNSOLVED
@@ -82,13 +79,6 @@ def is_solved(report, tolerance):
 def is_close(report, part):
     """Tell whether the solution is near: so large a part is left of forces and lengths at most [1]."""
     return report[RESIDUAL] <= part * report[SCALE] and report[MISFIT] <= part / TIGHT
-
-
-@small
-def is_slow(report, iteration):
-    """Tell whether a hasty solve will hardly come to its end: most that do are quicker by now."""
-    asked = report[HASTY] == 1.0 and FIRST_ASKED <= iteration <= LAST_ASKED
-    return asked and report[RESIDUAL] > SLOW * FALL**iteration * report[SCALE]
 
 
 @kernel
