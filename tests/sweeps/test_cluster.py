@@ -22,7 +22,8 @@ from ropewalk.sweeps.sweep_folder import SweepFolder
 from sweeps.scenes import EA, STIFF, same, store_bytes, swing
 
 ROOT = Path(__file__).resolve().parents[2]
-#: Notes every batch that a worker makes, and makes it last long enough to be killed in.
+#: Notes every batch that a worker makes, and makes it last long enough to be killed in. No worker
+#: goes on before each has made one, or a quick one could make all while the other still starts.
 PRELOAD = """
 import os, time
 from ropewalk.sweeps.batch import Batcher
@@ -33,6 +34,10 @@ def make(self, rows):
     if len(rows) > 1:
         with open(os.environ["MADE"], "a") as file:
             file.write(f"{os.getpid()} {rows[0]}\\n")
+        for _ in range(6000):
+            if len({line.split()[0] for line in open(os.environ["MADE"])}) == 2:
+                break
+            time.sleep(0.01)
     return made
 Batcher.make = make
 """
