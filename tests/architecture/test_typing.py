@@ -80,6 +80,7 @@ rw.modes(scene).plot.mode_shape()  # "ModePlots" has no attribute "mode_shape"
 '''  # fmt: skip
 
 
+@pytest.mark.slow
 def test_mypy_finds_a_users_mistakes_and_no_others(tmp_path: Path) -> None:
     path = tmp_path / "script.py"
     path.write_text(SCRIPT)

@@ -150,6 +150,7 @@ def test_a_run(tmp_path: Path, whole: Path, full: bool, every: int) -> None:
     deaths(begin, None, tmp_path, whole, every, full=full)
 
 
+@pytest.mark.slow
 @ALL
 @pytest.mark.parametrize("share", [0.35, 0.6])
 def test_a_resumed_run(tmp_path: Path, whole: Path, share: float, full: bool, every: int) -> None:

@@ -145,6 +145,7 @@ def test_what_is_said_to_be_compiled_is_what_is_called(scene: Scene) -> None:
         assert not progress.is_compiled(scene.run.method, model.system.rare, scene)
 
 
+@pytest.mark.slow
 @compiled
 def test_a_run_of_ropes_abreast_leaves_what_was_asked_for() -> None:
     scene = ropes_of(4, 5, 3, "sdirk2", steps=3)

@@ -98,6 +98,7 @@ def check_neighbours(scene: Scene) -> None:
         assert together.frames >= min(ends)
 
 
+@pytest.mark.slow
 @RELAXED
 @given(scenes(max_ropes=3, max_segments=5).filter(lambda scene: len(scene.ropes) > 1))
 def test_a_rope_moves_to_the_same_bits_alone_and_beside_others(scene: Scene) -> None:
@@ -135,6 +136,7 @@ def test_a_recorded_rope_breaks_when_it_breaks_alone_and_ends_nobody_else(scene:
             assert np.array_equal(getattr(own, name)[:frames], there), (rope.name, name)
 
 
+@pytest.mark.slow
 @RELAXED
 @given(scenes(max_ropes=3, max_segments=4).filter(lambda scene: len(scene.ropes) > 1))
 def test_threads_and_returns_change_no_bit(scene: Scene) -> None:

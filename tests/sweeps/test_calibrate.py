@@ -97,6 +97,7 @@ def test_intervals_hold_85_to_95_of_100_with_an_error_that_is_not_known() -> Non
         assert 0.85 <= share <= 0.95
 
 
+@pytest.mark.slow
 def test_what_one_measurement_cannot_tell_apart_is_said_and_two_do() -> None:
     """Sag alone fixes a combination of stiffness and length; a pull test besides fixes both."""
     true = rw.sweep.function(hung(), [LENGTH], "sag[-1]", what="rest")([[5.0]])[0, 0]

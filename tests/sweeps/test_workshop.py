@@ -148,6 +148,7 @@ def compare(scene: Scene, path: str, texts: list[str]) -> int:
     return len({repr(found) for found in seen.values()})
 
 
+@pytest.mark.slow
 def test_every_path_gives_the_bits_of_a_model_made_anew() -> None:
     varied: set[tuple[str, str]] = set()
     ringing = apply_overrides(swing(), ["start=at-rest", "run.ring.mode=1", "run.ring.speed=0.1"])

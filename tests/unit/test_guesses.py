@@ -224,6 +224,7 @@ def test_a_line_says_how_near_to_breaking_the_stiff_end_of_a_guess_brings_it() -
     assert "utilisation" not in str(unknown)
 
 
+@pytest.mark.slow
 def test_the_range_of_a_guessed_mass_is_in_the_tensions_of_a_line() -> None:
     """At a given sag they are as the weight, and EA changes nothing."""
     line = rw.line(100.0, 0.0, "locked-coil-30", sag=2.0)

@@ -122,6 +122,7 @@ def test_a_cam_is_turned_by_what_presses_on_it(method: str, step: float) -> None
     assert np.abs(alone.pulley("body").speed).max() < 1e-9  # the twin turns by friction only
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("method", "step"), [EXPLICIT, IMPLICIT])
 def test_a_bearing_holds_a_lever_below_its_torque_and_turns_above(method: str, step: float) -> None:
     torque = MASS * g * ARM

@@ -86,6 +86,7 @@ def test_the_first_step_has_all_of_the_weight(method: str) -> None:
     assert still.arrays.memory.obstacle.wheel[0, ANGLE] == pytest.approx(0.5 * np.pi, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_the_torque_at_rest_is_that_of_a_body_that_stands() -> None:
     """However fast it starts: contacts' dampers do not count."""
     found = []

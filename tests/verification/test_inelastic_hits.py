@@ -70,6 +70,7 @@ METHODS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loads", [(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)])
 @pytest.mark.parametrize("speed", [1.0, 5.0, 20.0])
 @pytest.mark.parametrize(("method", "step"), METHODS)

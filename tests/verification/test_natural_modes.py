@@ -222,6 +222,7 @@ def test_large_damped_models() -> None:
     np.testing.assert_allclose(found.decay_rates[sideways], rate, rtol=1e-7)
 
 
+@pytest.mark.slow
 def test_strong_friction_makes_short_waves_creep_alike() -> None:
     # Sideways every wave of a taut chain has two roots of m l^2 + c mu l + T mu/r. The slow ones are
     # all near -T/(c r), the shortest wave's the nearest, each twice: they crowd within 1e-10.

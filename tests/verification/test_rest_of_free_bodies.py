@@ -122,6 +122,7 @@ def test_the_equilibrium_is_a_result_with_the_body_turned(leaning: Statics) -> N
     assert rest.pulley("plank").angle[0] == pytest.approx(leaning.pulleys[0].angle, abs=1e-9)
 
 
+@pytest.mark.slow
 def test_what_has_no_rest_is_left_as_it_is_drawn() -> None:
     """A rope that hangs over one half of a plank without weight turns it until it slides off."""
     rope = rw.Rope(

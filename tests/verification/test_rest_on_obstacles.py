@@ -232,11 +232,13 @@ def test_what_friction_allows_is_the_capstans_interval(body: Obstacle, f: float)
     assert stays(scene) < 1e-9
 
 
+@pytest.mark.slow
 def test_beyond_it_there_is_no_rest() -> None:
     with pytest.raises(NoRest):
         static_shape(weighted(1.02 * math.exp(0.3 * math.pi), drum(0.3)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("f", "holds"), [(0.98, True), (1.02, False)])
 def test_forces_alone_draw_a_rope_over_a_drum(f: float, holds: bool) -> None:
     """Without weight and anchors: 5 N and f exp(mu pi) times as much. It was told that they carry it away."""

@@ -177,6 +177,7 @@ def hung(low: float, high: float, friction: float = 0.3) -> Scene:
     )
 
 
+@pytest.mark.slow
 def test_a_rope_over_another_holds_within_the_capstans_bounds() -> None:
     """exp(0.3 pi) is 2.57: 1.8 to one holds, with its margin; 4 to one slides off, as does all without."""
     scene = hung(0.18, 0.10)
