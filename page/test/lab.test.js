@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { isStable, largestStep } from "../src/lab/bounds.js";
 import { METHODS, Rope } from "../src/lab/kernel.js";
 import { tensions } from "../src/lab/measures.js";
+import { atMost } from "../src/lab/why.js";
 
 /** One mass of 0.5 kg on a spring of 200 N/m, in line with gravity. @param {object} [more] @returns {any} */
 const one = (more = {}) => ({
@@ -94,4 +95,17 @@ test("a slack segment of a rope that does not push carries nothing", () => {
     }),
   );
   assert.ok(pushes.a[2][1] < 0);
+});
+
+test("the largest step is told no larger than it is", () => {
+  assert.equal(atMost(1.23456e-3), "1.234 ms");
+  assert.equal(atMost(9.99999e-4), "0.9999 ms");
+  for (const seconds of [1.234e-3, 1e-3, 0.1, 2.5e-5])
+    // nor smaller by its rounding
+    assert.equal(atMost(seconds), `${Number((1e3 * seconds).toPrecision(4))} ms`);
+  for (let i = 1; i < 500; i++) {
+    const exact = 1e3 * Math.exp(-i / 37);
+    assert.ok(parseFloat(atMost(exact / 1e3)) <= exact * (1 + 1e-12));
+    assert.ok(parseFloat(atMost(exact / 1e3)) > exact * (1 - 1.1e-3));
+  }
 });

@@ -10,6 +10,8 @@ import pytest
 from live.drive import do, refused
 from live.test_solids import ROPE
 from ropewalk.live import describe
+from ropewalk.live.bodies import SAFE
+from ropewalk.live.hands import FASTEST
 from ropewalk.live.keeper import Keeper, parts
 from ropewalk.live.relive import relive
 from ropewalk.live.replay import ReplayBroadcast
@@ -75,6 +77,20 @@ def test_a_hand_is_no_faster_than_the_step_can_follow() -> None:
     do(session, "obstacle", obstacle="table", target=(50.0, 0.0, 2.88))
     table = session.main.simulation.obstacles["table"]
     assert 0.0 < np.linalg.norm(table.velocity) < table.fastest
+
+
+def test_a_disc_is_dragged_faster_in_its_own_plane() -> None:
+    """What would jump over nodes is its radius there, and half its thickness along its axis."""
+    flat = TABLE.replace("[0, -1, 0]", "[0, -0.005, 0]").replace("[0, 1, 0]", "[0, 0.005, 0]")
+    speeds = []
+    for target in ((0.0, 0.0, -50.0), (0.0, 50.0, 0.0)):
+        session = Session(loads((ROPE + flat).replace("duration = 0.02", "duration = 1.0")))
+        drum = session.main.simulation.obstacles["drum"]
+        do(session, "obstacle", obstacle="drum", target=target)
+        most = drum.fastest_along(np.subtract(target, drum.position))
+        speeds.append(float(np.linalg.norm(drum.velocity)))
+        assert speeds[-1] == pytest.approx(min(FASTEST, SAFE * most))
+    assert speeds[0] > 2.0 * speeds[1]
 
 
 def test_what_cannot_be_is_refused_in_words() -> None:

@@ -13,7 +13,7 @@ import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
 import { Values, scaled } from "./values.js";
 import { Verdict } from "./verdict.js";
-import { milliseconds, whyItBroke } from "./why.js";
+import { atMost, whyItBroke } from "./why.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Method} Method */
@@ -179,7 +179,7 @@ class Lab {
     find("needle").style.width = `${100 * Math.min(share / 1.25, 1)}%`;
     find("needle").className = `needle ${kind}`;
     const times = share < 1.005 ? "just" : `${Number(share.toPrecision(3))} times`;
-    const limit = `the largest stable step is ${milliseconds(bound)}`;
+    const limit = `the largest stable step is ${atMost(bound)}`;
     find("verdict").textContent =
       share > 1
         ? `Unstable: the step is ${times} too long; ${limit}.`

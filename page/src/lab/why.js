@@ -13,7 +13,14 @@ const made = (energy) => {
 };
 
 /** @param {number} seconds */
-export const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;
+const milliseconds = (seconds) => `${Number((1e3 * seconds).toPrecision(4))} ms`;
+
+/** The largest step in words: no larger than it is, as it is to hold. @param {number} seconds */
+export function atMost(seconds) {
+  const [exact, near] = [1e3 * seconds, Number((1e3 * seconds).toPrecision(4))];
+  const last = 10 ** (Math.floor(Math.log10(exact)) - 3);
+  return `${near > exact * (1 + 1e-12) ? Number((near - last).toPrecision(4)) : near} ms`;
+}
 
 const SPRINGS =
   "In one step the springs push a node past where it should be, in the next they push it back farther still: " +
@@ -37,7 +44,7 @@ export function whyItBroke(rope, method, step, bound, verdict, broke) {
           `${Number(longest(rope).toPrecision(3))} times its length.`;
   const rubs = step <= largestStep(rope, method, false); // the springs alone would hold
   return (
-    `${when}With this stiffness, friction and mass a step may be at most ${milliseconds(bound)}; it is ` +
+    `${when}With this stiffness, friction and mass a step may be at most ${atMost(bound)}; it is ` +
     `${milliseconds(step)}. ${rubs ? FRICTION : SPRINGS}`
   );
 }

@@ -45,8 +45,8 @@ def lead(handle: ObstacleHandle, target: Floats | None, angle: float | None, pac
         fastest = max(min(FASTEST_TURN, SAFE * handle.fastest_turn), _SLOW)
         handle.turn_to(angle, max(follow, abs(angle - handle.angle) / fastest))
     if target is not None:
-        far = float(np.linalg.norm(target - handle.position))
-        fastest = max(min(FASTEST, SAFE * handle.fastest), _SLOW)
+        far = float(np.linalg.norm(way := target - handle.position))
+        fastest = max(min(FASTEST, SAFE * handle.fastest_along(way)), _SLOW)
         handle.move_to(target, max(follow, far / fastest))
 
 
