@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.record.margins import margin_words
 
 
 def hung(mass: float, breaking_load: float | None) -> rw.Scene:
@@ -22,6 +23,11 @@ def hung(mass: float, breaking_load: float | None) -> rw.Scene:
     return rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
 
 
+def factor(utilisation: float) -> str:
+    """The safety factor, as it is told."""
+    return margin_words(utilisation, "").partition("factor ")[2]
+
+
 def top(mass: float) -> float:
     """Tension of the first segment [N]: all but the first node's half of a segment hangs below it."""
     return 9.81 * (mass + 0.1 * 2.0 * (1.0 - 0.5 / 5))
@@ -29,13 +35,15 @@ def top(mass: float) -> float:
 
 def test_the_tables_of_a_run_and_of_its_rest() -> None:
     scene = hung(50.0, 2000.0)
-    share = top(50.0) / 2000.0
-    for result in (rw.simulate(scene), rw.equilibrium(scene)):
+    borne = top(50.0), 9.81 * (50.0 + 0.1 * 2.0)  # by a segment, and at rest by the anchor
+    for result, share in zip((rw.simulate(scene), rw.equilibrium(scene)), borne, strict=True):
+        share /= 2000.0
         table = result.table
         assert table["largest utilisation of the breaking load [%]"] == pytest.approx(100 * share)
         assert table["least safety factor [1]"] == pytest.approx(1.0 / share)
         assert "segment 0" in table["largest utilisation of the breaking load at"]
-        assert result.rope("rope").utilisation[0, 0] == pytest.approx(share)
+        segment = top(50.0) / 2000.0
+        assert result.rope("rope").utilisation[0, 0] == pytest.approx(segment)
 
 
 def test_nothing_is_said_where_no_breaking_load_is_known() -> None:
@@ -59,7 +67,7 @@ def test_the_rope_that_is_nearest_to_breaking_counts_not_the_one_with_the_larges
     assert "strong" in table["largest tension at"]
     assert "weak" in table["largest utilisation of the breaking load at"]
     assert table["largest utilisation of the breaking load [%]"] == pytest.approx(
-        100 * top(10.0) / 200.0
+        100 * 9.81 * (10.0 + 0.1 * 2.0) / 200.0
     )
 
 
@@ -84,7 +92,7 @@ def test_the_forces_of_one_moment_do_not_hide_those_of_the_run() -> None:
     least = result.table["least safety factor [1]"]
     assert 4.0 < least < 7.0
     texts = " ".join(text.get_text() for text in result.plot.forces().texts)
-    assert f"safety factor {least:.3g} since the start" in texts
+    assert f"safety factor {factor(1.0 / least)} since the start" in texts
     assert "% of the breaking load at this moment" in texts
     assert texts.count("safety factor") == 1
 
@@ -107,8 +115,14 @@ def test_what_the_anchor_bears_counts_for_the_utilisation_at_rest(
     then = {10: ("with more segments it parts", "it may part"), 200: ("; it parts", "it parts by")}
     assert then[segments][0] in said  # segments of ten carry 9320 N, and hold in the run
     assert any(then[segments][1] in text for text in found.warnings)
+    table = rw.equilibrium(heavy).table
+    assert table["largest utilisation of the breaking load [%]"] == pytest.approx(981.0 / 9.5)
+    assert table["least safety factor [1]"] == pytest.approx(9500.0 / 9810.0)
+    assert table["largest utilisation of the breaking load at"].startswith(
+        "anchor 'anchor0' beside"
+    )
     if segments == 10:
-        told = rw.equilibrium(heavy).table["about the largest tension"]
+        told = table["about the largest tension"]
         assert "(5.3 %), 103 % of the breaking load;" in told
 
 
@@ -167,8 +181,11 @@ def test_what_wind_or_bending_adds_to_an_anchor_is_no_weight(blows: bool) -> Non
         assert (row in rw.equilibrium(scene).table) == told
         said = rw.check(scene, measure=False).ropes[0]
         assert (said.largest_anchor_force is not None) == told
-        borne = np.linalg.norm(rw.equilibrium(scene).reactions[0], axis=1).max()
+        rest = rw.equilibrium(scene)
+        borne = np.linalg.norm(rest.reactions[0], axis=1).max()
         assert said.utilisation == pytest.approx(1e-3 * borne, rel=1e-6)
+        used = rest.table["largest utilisation of the breaking load [%]"]
+        assert used == pytest.approx(0.1 * borne, rel=1e-6)
 
 
 def test_what_wind_adds_to_an_anchor_parts_no_segment() -> None:
@@ -187,8 +204,26 @@ def test_what_wind_adds_to_an_anchor_parts_no_segment() -> None:
         found, said = told.ropes[0], " ".join(told.lines())
         assert found.parts_at_rest is parts
         assert found.utilisation * load == pytest.approx(found.anchor_bears)
-        assert (f"safety factor {1 / found.utilisation:.3g}; it parts" in said) is parts
+        assert (f"safety factor {factor(found.utilisation)}; it parts" in said) is parts
         assert ("with more segments it parts" in said) is not parts
         assert f"its anchor bears {found.anchor_bears:.5g} N, with what else acts" in said
         when = "it parts by the time" if parts else "it may part by the time"
         assert any(when in text for text in told.warnings)
+
+
+def test_a_sheet_says_what_the_anchor_bears() -> None:
+    """100 kg of rope hung in 4 segments: check said 98.1 % of 1000 N, and the sheet 85.8 % and no more."""
+    made_of = rw.Material(EA=1e5, mass_per_length=1.0, breaking_load=1000.0)
+    rope = rw.Rope(segments=4, length=100.0, made_of=made_of, shape={"kind": "hanging"})
+    run = rw.RunSettings(duration=0.02, frame_rate=50.0, start="at-rest", time_step=0.01)
+    heavy = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
+    job = rw.sheet(heavy, convergence=False)
+    at_rest, ran = job.as_dict()["sections"]["Summary"]["tables"][0]
+    assert (at_rest["utilisation"], at_rest["safety factor"]) == ("98.1 %", "1.01")
+    assert ran["utilisation"] == "85.8 %"  # of a segment
+    for section in ("Summary", "The run"):
+        told = " ".join(job.as_dict()["sections"][section]["texts"])
+        assert "the anchor bears 981 N, half a segment's weight more (14 %), 98.1 %" in told
+    light = heavy.replace(**{"rope.length": 1.0, "rope.loads": [{"node": -1, "mass": 50.0}]})
+    for name, section in rw.sheet(light, convergence=False).as_dict()["sections"].items():
+        assert "half a segment's weight" not in " ".join(section["texts"]), name

@@ -13,6 +13,7 @@ from ropewalk.record.margins import margin_words
 from ropewalk.scene import Anchor, Load, Material, Rope, Scene
 from ropewalk.words.counts import counted
 from ropewalk.words.percents import percent
+from ropewalk.words.safe_side import outwards, percent_up
 from runs import hanging
 
 
@@ -43,9 +44,21 @@ def test_digits_and_signs() -> None:
 def test_margins_are_written_out() -> None:
     """Was 3.92e+03 %."""
     assert margin_words(39.24) == (
-        "3924 % of the breaking load, safety factor 0.0255; it would have parted"
+        "3924 % of the breaking load, safety factor 0.0254; it would have parted"
     )
     assert margin_words(0.1234).startswith("12.3 % of")
+
+
+def test_what_is_at_most_or_at_least_is_rounded_to_the_safe_side() -> None:
+    """A safety factor of 1.996 was 2, and 12.34 % "up to 12.3 %"; a solver's last digits make no step."""
+    assert margin_words(0.501).endswith("safety factor 1.99")
+    assert margin_words(0.2 * (1.0 + 1e-11)).endswith("safety factor 5")
+    assert percent_up(12.34, 3) == "12.4 %"
+    assert percent_up(1234.0, 3) == "1240 %"
+    assert percent_up(20.0 * (1.0 + 1e-11), 3) == "20 %"
+    assert percent_up(0.0) == "0 %"
+    assert outwards(1234.9, 2345.1) == (1234.0, 2346.0)
+    assert outwards(1234.9, 1234.9 * (1.0 + 1e-9)) == (1235.0, 1235.0)
 
 
 @pytest.mark.parametrize(

@@ -247,6 +247,13 @@ def test_rest_says_in_which_wind_and_where_what_slides_rests() -> None:
     calm = rw.preset("power-line-in-wind").replace(air=None)
     made = rw.sheet(calm, run=False, convergence=False)
     assert "wind" not in words(made.section("At rest"))
+    nothing = hung(air=rw.Air(wind=(3.0, 0.0, 0.0)))
+    made = rw.sheet(nothing, run=False, convergence=False)
+    assert "in the wind" not in words(made.section("At rest"))
+    assert any(
+        "wind of 3 m/s: it blows on nothing without air.density" in text for text in warnings(made)
+    )
+    assert "drags" not in words(assumption_section(nothing))
     ride = rw.preset("zip-line-ride").replace(**{"slide.at": 101.5})
     told = words(rw.sheet(ride, run=False, convergence=False).section("At rest"))
     assert "Slide 'trolley' rests at 102.32 m of rope 'wire'" in told

@@ -12,7 +12,8 @@ from ropewalk.analysis.strains import softer_words, strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.lowering.elastic_tables import slopes_at_rest
-from ropewalk.record.end_weight import MORE, anchor_beside, is_end_weight
+from ropewalk.record.borne import borne_at
+from ropewalk.record.end_weight import MORE
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
@@ -141,9 +142,10 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
     taut, largest = tension > 0.0, float(tension.max(initial=0.0))
-    force, by_weight = _anchor_force(model, statics, span.start + int(np.argmax(tension)))
-    own_force = by_weight or model.scene.ground is None  # NeHe's ground pushes on anchors, too
-    bears = force if load is not None and own_force and force > largest else None
+    about, tightest = (model.scene, model.layout), span.start + int(np.argmax(tension))
+    pull = float(statics.tension[tightest])
+    ends = borne_at(about, tightest, pull, statics.reactions, statics.positions)
+    bears = ends.force if load is not None and ends.counts and ends.force > largest else None
     use = None if load is None else (bears or largest) / load
     # A sideways wave runs sqrt(T l / m), l the stretched length of a segment and m a node's mass.
     stretched = np.linalg.norm(
@@ -171,24 +173,10 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         doubt="" if use is None else doubt_of(rope.made_of, use),
         worst=None if use is None else worst_of(rope.made_of, use),
         largest_push=largest_push(tension, statics.residual),
-        largest_anchor_force=force if by_weight else None,
+        largest_anchor_force=ends.force if ends.by_weight else None,
         anchor_bears=bears,
         parts_at_rest=rope.strength < math.inf and load is not None and largest > load,
     )
-
-
-def _anchor_force(model: Model, statics: Statics, segment: int) -> tuple[float, bool]:
-    """Return the force of the anchor beside a segment [N], and whether weight alone makes it more than that.
-
-    0 N where no anchor is beside it. Wind and bending act on the anchor's node as well.
-    """
-    row = anchor_beside(model.scene, model.layout, segment)
-    if row is None:
-        return 0.0, False
-    force = float(np.linalg.norm(statics.reactions[row]))
-    pulls, places = (float(statics.tension[segment]), force), statics.positions
-    about = model.scene, model.layout
-    return force, is_end_weight(about, row, segment, pulls, places, least=0.0)
 
 
 def _speeds_along(

@@ -135,7 +135,7 @@ def _wind(scene: Scene) -> list[str]:
     air = scene.air
     if air is None or not any(air.wind):
         return []
-    if air.density or air.node_drag or air.node_drag_quadratic:
+    if air.drags:
         return []
     return [
         "air.wind: blows on nothing without a drag; give air.density (1.2 kg/m^3 at sea level), or node_drag"

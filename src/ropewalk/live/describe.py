@@ -248,7 +248,7 @@ def _idle(parameter: Parameter, scene: Scene) -> str:
     if parameter.group == GROUND and parameter.name != "ground" and scene.ground is None:
         return "has no effect while the yielding ground is off"
     air = scene.air or Air()
-    if parameter.name == "wind" and not (air.node_drag or air.node_drag_quadratic or air.density):
+    if parameter.name == "wind" and not air.drags:
         return "is not felt without air: give a drag or a density first"
     return ""
 

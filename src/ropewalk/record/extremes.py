@@ -9,7 +9,9 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import EXTREMES
+from ropewalk.record.borne import Borne, borne_at
 from ropewalk.record.drums import rope_place
+from ropewalk.record.facts import AT_REST
 from ropewalk.record.margins import Margin, breaking_loads, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 
@@ -50,6 +52,10 @@ def place_of(result: Result, name: str, extreme: Extreme) -> str:
     if noun == "anchor":
         return f"anchor {result.layout.anchor_names[extreme.place]!r}, {extreme.when}{seen}"
     place = rope_place(result, noun, extreme.place, extreme.until)
+    if name == UTILISATION and result.status == AT_REST:
+        ends = _borne(result, extreme.place)
+        if ends.anchor is not None and ends.most > ends.tension:
+            place = f"anchor {result.layout.anchor_names[ends.anchor]!r} beside {place}"
     return f"{place}, {extreme.when}{seen}"
 
 
@@ -84,7 +90,8 @@ def _of_steps(result: Result) -> dict[str, Extreme]:
 def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
     """Return the greatest tension over breaking load; `pull` is the greatest tension, often the same.
 
-    And of the rope that comes nearest with the least of guessed breaking loads, over its own as given.
+    At rest what the anchor beside it bears counts, as in a check. And of the rope that comes nearest with
+    the least of guessed breaking loads, over its own as given.
     """
     loads = breaking_loads(result.scene, result.layout)
     least = breaking_loads(result.scene, result.layout, least=True)
@@ -110,7 +117,9 @@ def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
 
 
 def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
-    """Return the greatest tension over these loads, (segments,) [N]."""
+    """Return the greatest tension over these loads, (segments,) [N]; at rest what is borne there."""
+    if result.status == AT_REST:
+        return _share_at_rest(result, loads)
     name = "greatest_tension" if result.has_extremes else "tension"
     best, at, step = -math.inf, (0, 0), _pieces(result)
     for start in range(0, result.good_frames, step):
@@ -127,6 +136,25 @@ def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
     last = float(result.time[at[0]])
     first = float(result.time[max(at[0] - 1, 0)]) if result.has_extremes else last
     return Extreme(best, at[1], first, last, result.has_extremes)
+
+
+def _share_at_rest(result: Result, loads: Floats) -> Extreme:
+    """Return the greatest of what ropes or the anchors beside them bear over these loads, (segments,) [N]."""
+    best, at = math.nan, 0
+    tension = np.nan_to_num(result.read("tension", 0, 1)[0], nan=-math.inf)
+    for span in result.layout.ropes:
+        segment = span.start + int(np.argmax(tension[span.start : span.end]))
+        share = _borne(result, segment).most / float(loads[segment])
+        if math.isfinite(loads[segment]) and not share <= best:
+            best, at = share, segment
+    return Extreme(best, at, 0.0, 0.0, result.has_extremes)
+
+
+def _borne(result: Result, segment: int) -> Borne:
+    """Return what is borne at rest at the segment of a rope's largest tension."""
+    frame = {name: result.read(name, 0, 1)[0] for name in ("tension", "reactions", "positions")}
+    about, pull = (result.scene, result.layout), float(frame["tension"][segment])
+    return borne_at(about, segment, pull, frame["reactions"], frame["positions"])
 
 
 def _pieces(result: Result) -> int:

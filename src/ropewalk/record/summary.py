@@ -10,7 +10,6 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.balances import energy_note, lost_note
 from ropewalk.record.deep_note import deep_note
-from ropewalk.record.end_weight import weight_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
@@ -22,9 +21,9 @@ from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.reach_note import reach_note
 from ropewalk.record.tension_notes import (
+    anchor_bears,
     anchor_note,
     curve_note,
-    is_pressed,
     push_note,
     tension_note,
 )
@@ -170,7 +169,7 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     force = found["greatest anchor force"]
     hard = hard_note(result, found)
     notes = {
-        "greatest tension": tension_note(result, most) or _weight_note(result, most),
+        "greatest tension": tension_note(result, most) or anchor_bears(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
         "greatest anchor force": "" if hard else anchor_note(result, force, most),
@@ -184,12 +183,6 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         if notes.get(name):
             told[f"about the {title.partition(' [')[0]}"] = notes[name]
     return told | ({"about hard stops": hard} if hard else {})
-
-
-def _weight_note(result: Result, peak: Extreme) -> str:
-    """Return what the anchor beside the largest tension bears where that is more by the rope's weight."""
-    pressed = any(is_pressed(result, node, peak.until) for node in (peak.place, peak.place + 1))
-    return weight_note(result, peak, pressed)
 
 
 def _titles(result: Result) -> dict[str, str]:
@@ -223,7 +216,7 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     table: dict[str, Any] = {"status": result.status}
     peak, least = found["greatest tension"], found["least tension"]
     notes = {
-        "greatest tension": _weight_note(result, peak),
+        "greatest tension": anchor_bears(result, peak),
         "least tension": push_note(result, least, peak.value)
         if largest_push(result.tension[0], result.residual)
         else "",

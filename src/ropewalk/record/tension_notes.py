@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.end_weight import weight_note
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.scene import Rope
@@ -106,6 +107,12 @@ def anchor_note(result: Result, force: Extreme, tension: Extreme) -> str:
         f"the mean over a step; at the end of one the segment it holds bore {tension.value:.6g} N, "
         f"{percent(100.0 * less / force.value)} more: shorter steps bring the two together"
     )
+
+
+def anchor_bears(result: Result, peak: Extreme) -> str:
+    """Return what the anchor beside the largest tension bears where that is more by the rope's weight."""
+    pressed = any(is_pressed(result, node, peak.until) for node in (peak.place, peak.place + 1))
+    return weight_note(result, peak, pressed)
 
 
 def is_pressed(result: Result, node: int, time: float) -> bool:

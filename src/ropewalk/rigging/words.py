@@ -5,6 +5,7 @@ from __future__ import annotations
 from ropewalk.scene import Material
 from ropewalk.scene.guess import load_doubt, worst_of
 from ropewalk.words.percents import percent
+from ropewalk.words.safe_side import safety_factor
 
 
 def force(newtons: float) -> str:
@@ -23,7 +24,7 @@ def margins(tension: float, material: Material) -> list[str]:
     share = tension / breaking_load
     text = f"utilisation {percent(100.0 * share, 3)} of the breaking load of {force(breaking_load)}"
     if tension > 0.0:
-        text += f", safety factor {breaking_load / tension:.3g}"
+        text += f", safety factor {safety_factor(share)}"
     if share > 1.0:
         text += ": it would have parted"
     doubt = load_doubt(material, share)  # of a guessed EA notes of the line tell

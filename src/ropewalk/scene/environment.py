@@ -36,6 +36,11 @@ class Air(Model):
     )
     wind: Vector = vector("Velocity of the air", "m/s", default=(0.0, 0.0, 0.0))
 
+    @property
+    def drags(self) -> bool:
+        """Whether it drags on anything; a wind without a drag blows on nothing."""
+        return bool(self.density or self.node_drag or self.node_drag_quadratic)
+
 
 class Ground(Model):
     """A yielding floor as in NeHe's lesson 40, whose values are the defaults.

@@ -13,6 +13,7 @@ from ropewalk.scene.faults import Fault
 from ropewalk.scene.limits import HUGE
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.safe_side import safety_factor
 
 Guessable = Literal[
     "EA",
@@ -87,4 +88,4 @@ def load_doubt(made_of: Any, utilisation: float) -> str:
         return ""
     share = worst_of(made_of, utilisation)
     text = f"the breaking load is a guess, {mark.span}: with the least of it {percent(100.0 * share, 3)}"
-    return text + (f", safety factor {1.0 / share:.3g}" if share > 0.0 else "")
+    return text + (f", safety factor {safety_factor(share)}" if share > 0.0 else "")

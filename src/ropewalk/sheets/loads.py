@@ -12,12 +12,14 @@ from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
-from ropewalk.record.tension_notes import anchor_note, tension_note
+from ropewalk.record.tension_notes import anchor_bears, anchor_note, tension_note
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
+from ropewalk.sheets.ropes import NO_DRAG
 from ropewalk.statics.wraps import MANY
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.safe_side import safety_factor
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -68,6 +70,10 @@ def summary_section(
     items: list[Item] = [Table(head, rows)]
     for doubt, titles in doubts.items():
         items.append(Text(f"{' and '.join(titles).capitalize()}: {doubt}.", warning=True))
+    if run is not None and (note := anchor_bears(run, extremes(run)["greatest tension"])):
+        items.append(
+            Text(f"The largest tension in the run is that of a segment: {note}.", warning=True)
+        )
     items += ends
     if run is not None and run.diagnosis:
         items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
@@ -103,8 +109,13 @@ def rest_section(
         items += _contacts(rest)
     if result.scene.limiter is not None and not all(rope.rigid for rope in result.scene.ropes):
         items.append(Text("The limiter takes no part in rest."))
-    wind = () if result.scene.air is None else result.scene.air.wind
-    blows = f"in the wind of {math.hypot(*wind):.4g} m/s, " if any(wind) else ""
+    air = result.scene.air
+    wind, blows = 0.0 if air is None else math.hypot(*air.wind), ""
+    if air is not None and wind > 0.0:
+        if air.drags:
+            blows = f"in the wind of {wind:.4g} m/s, "
+        else:
+            items.append(Text(f"Left out is {NO_DRAG.format(wind)}.", warning=True))
     about = f"This is rest {blows}with all anchors where they are at time zero."
     about += f" The forces balance to {result.residual:.1e} N on every node."
     return Section("At rest", (*items, Text(about)))
@@ -175,7 +186,7 @@ def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
     if hard := hard_note(result, found):
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
-        "tension": tension_note(result, most),
+        "tension": tension_note(result, most) or anchor_bears(result, most),
         "force on an anchor": anchor_note(result, force, most),
         "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
     }
@@ -271,7 +282,7 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
     if near is None:
         return "not known", ""
     whose = f", rope {near.name!r}" if len(result.scene.ropes) > 1 else ""
-    factor = f"{1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else ""
+    factor = safety_factor(near.utilisation) if near.utilisation > 0.0 else ""
     return f"{percent(100.0 * near.utilisation, 3)}{whose}", factor
 
 
@@ -283,7 +294,8 @@ def _utilisation(result: Result, then: str) -> list[Item]:
     share, place = 100.0 * near.utilisation, place_of(result, UTILISATION, found[UTILISATION])
     if result.status == "at rest":
         place = place.partition(",")[0]
-    factor = f"safety factor {1.0 / near.utilisation:.3g}" if near.utilisation > 0.0 else "unloaded"
+    used = near.utilisation
+    factor = f"safety factor {safety_factor(used)}" if used > 0.0 else "unloaded"
     text = f"Largest utilisation of the breaking load: {percent(share, 3)} ({factor}), {place}."
     doubt = doubt_words(result.scene, near, then)
     text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""

@@ -37,6 +37,7 @@ _NAMES = {
 }
 
 
+NO_DRAG = "the wind of {:.4g} m/s: it blows on nothing without air.density or air.node_drag"
 _MOST_NAMED = 8  # joints of which each has a sentence
 
 
@@ -266,6 +267,8 @@ def _air(scene: Scene) -> str:
     if scene.air is None:
         return "Air is left out."
     wind = math.hypot(*scene.air.wind)
+    if not scene.air.drags:
+        return f"Air is left out{', and so is ' + NO_DRAG.format(wind) if wind else ''}."
     air = f"Air of {scene.air.density:.4g} kg/m³" if scene.air.density else "Air"
     return f"{air} drags" + (f", with a wind of {wind:.4g} m/s." if wind else ", without wind.")
 

@@ -13,7 +13,9 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.guess import STIFF, guesses_of, worst_of
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.trust import PARTED, Variant, rest_numbers, row_of, run_numbers, tried
+from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.safe_side import outwards, percent_up, safety_factor
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -137,8 +139,11 @@ def _rows(title: str, used: dict[str, float], variants: list[Variant]) -> list[t
 
 
 def _percent(used: float) -> str:
-    factor = f" (safety factor {1.0 / used:.3g})" if used > 0.0 else ""
-    return f"{100.0 * used:.3g} %{factor}"
+    return f"{percent(100.0 * used, 3)}{_factor(used)}"
+
+
+def _factor(used: float) -> str:
+    return f" (safety factor {safety_factor(used)})" if used > 0.0 else ""
 
 
 def _faster(old: Scene, new: Scene) -> float:
@@ -158,16 +163,17 @@ def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[
         values = [numbers[name] for numbers in (base, *ran) if name in numbers]
         if ran and values and not any(map(math.isnan, values)):
             unit = "m" if name == "largest sag" else "N"
-            low, high = (prefixed(value, unit, 4) for value in (min(values), max(values)))
+            ends = outwards(min(values), max(values))
+            low, high = (prefixed(value, unit, 4) for value in ends)
             found.append(f"{name} {low}" + (f" to {high}" if high != low else ""))
     used, worst = (
         max((one[name] for one in (base, *ran) if not math.isnan(one[name])), default=math.nan)
         for name in (_USED, _WORST)
     )
     if ran and not math.isnan(used):
-        found.append(f"{_USED} up to {_percent(used)}")
+        found.append(f"{_USED} up to {percent_up(100.0 * used, 3)}{_factor(used)}")
     if ran and worst > used:
-        found.append(f"{_WORST} up to {_percent(worst)}")
+        found.append(f"{_WORST} up to {percent_up(100.0 * worst, 3)}{_factor(worst)}")
     found += [f"of the {v.title} nothing, for it FAILED" for v in variants if v.why_not]
     found += [
         f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(PARTED, 0.0) > 0.0

@@ -19,6 +19,7 @@ from ropewalk.statics import NoRest, rest_spans
 from ropewalk.words.counts import counted
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.safe_side import percent_up
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -236,6 +237,6 @@ def _verdict(base: dict[str, float], ran: list[Variant]) -> Text:
         )
     tried = ", and with ".join(variant.title for variant in ran)
     return Text(
-        f"The forces change by at most {percent(worst)} with {tried}. So much may what was varied be "
+        f"The forces change by at most {percent_up(worst)} with {tried}. So much may what was varied be "
         "expected to cost; it says nothing of what was not varied, nor of the data."
     )

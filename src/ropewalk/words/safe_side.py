@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import math
 
+from ropewalk.words.percents import percent
+
 _EXACT = 1e-12  # [1] what a product of such numbers may be off by rounding
+_SOLVED = 1e-9  # [1] what a number that was solved for may be off
 
 
 def rounded_down(value: float, figures: int = 3) -> str:
@@ -23,6 +26,27 @@ def rounded_up(value: float, figures: int = 3) -> str:
     unit = 10.0 ** (math.floor(math.log10(value)) - figures + 1)
     whole = math.ceil(value / unit * (1.0 - _EXACT))
     return f"{float(f'{whole * unit:.{figures}g}'):.10g}"
+
+
+def percent_up(value: float, figures: int = 2) -> str:
+    """Return a number of per cent that is not negative as `percent` does, never below it."""
+    return percent(float(rounded_up(value * (1.0 - _SOLVED), figures)), figures)
+
+
+def safety_factor(utilisation: float) -> str:
+    """Return the inverse of a utilisation greater than 0 [1], never above it."""
+    return rounded_down((1.0 + _SOLVED) / utilisation)
+
+
+def outwards(least: float, most: float, figures: int = 4) -> tuple[float, float]:
+    """Return the bounds of a range with so many figures, neither inside it; both the upper where they agree.
+
+    They agree where they are the same when rounded to the nearest.
+    """
+    high = float(rounded_up(most * (1.0 - _SOLVED), figures))
+    if f"{least:.{figures}g}" == f"{most:.{figures}g}":
+        return high, high
+    return float(rounded_down(least * (1.0 + _SOLVED), figures)), high
 
 
 def inwards(least: float, most: float, figures: int = 4) -> tuple[str, str]:
