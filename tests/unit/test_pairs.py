@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from ropewalk.core.arrays import Floats, Ints, State, System
+from ropewalk.core.block_runs import eliminate_runs, find_runs, has_runs
 from ropewalk.core.elimination import tied_network
-from ropewalk.core.network import Network, gather, solve_gathered
+from ropewalk.core.network import Network, eliminate, gather, solve_gathered
 from ropewalk.core.ordering import ask_for, begin_groups, order_groups
 from ropewalk.core.saddle import dense_saddle
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
@@ -306,6 +307,44 @@ def test_a_network_with_contacts_solves_what_numpy_solves() -> None:
         found = np.concatenate([saddle.moved.T.ravel(), saddle.pulled])
         answer = np.linalg.solve(matrix, right)
         assert np.abs(found - answer).max() < 1e-7 * np.abs(answer).max(), count
+
+
+def dense_network(seed: int) -> Network:
+    """A network in which much fills in, in order, with random blocks and some held points."""
+    nodes, rng = 70, np.random.default_rng(seed)
+    joints = tangle(0)[0].joints
+    network = tied_network(joints, np.zeros(0, np.int64), np.ones(nodes - 1, bool), False, 64)
+    pairs = np.zeros((64, 2), np.int64)
+    pairs[:, 0] = rng.integers(0, 40, 64)
+    pairs[:, 1] = np.minimum(pairs[:, 0] + rng.integers(2, 50, 64), nodes - 2)
+    assert orders(network, pairs, 64)
+    for part in (network.diagonal, network.upper, network.lower, network.right):
+        part[...] = rng.normal(size=part.shape)
+    network.diagonal[:, ::4] += 30.0
+    network.free[:] = rng.uniform(size=nodes) < 0.9
+    return network
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_runs_of_blocks_are_eliminated_to_the_same_bits(seed: int) -> None:
+    """As one block after another; and those of few blocks, or without room for them, are not."""
+    network = dense_network(seed)
+    runs = network.runs
+    assert has_runs(network)
+    assert (runs.length[: runs.first[-1]] > 2).any()  # longer ones than a register
+    diagonal, right = network.diagonal.copy(), network.right.copy()
+    eliminate_runs(network)
+    found = network.right.copy()
+    network.diagonal[:], network.right[:] = diagonal, right
+    eliminate(network)
+    assert np.isfinite(found).all()
+    assert np.abs(found).max() > 0.0
+    np.testing.assert_array_equal(found, network.right)
+    network = network._replace(runs=runs._replace(to=runs.to[:5]))
+    find_runs(network)
+    assert not has_runs(network)
+    assert orders(network, np.array([[3, 20]]), 1)
+    assert not has_runs(network)
 
 
 def test_no_room_is_told() -> None:

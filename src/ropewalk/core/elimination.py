@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Ints, Joints
+from ropewalk.core.block_runs import make_runs, no_runs
 from ropewalk.core.network import Network, Room, no_network, no_room
 from ropewalk.core.ordering import ITSELF, NOWHERE, WORD
 
@@ -81,6 +82,7 @@ def make_network(number: Ints, near: NDArray[np.bool_], far: NDArray[np.bool_]) 
         lower=np.zeros((count, 9)),
         right=np.zeros((points, 3)),
         room=no_room(),
+        runs=no_runs(),
     )
 
 
@@ -113,6 +115,7 @@ def with_room(network: Network, groups: int) -> Network:
         upper=np.zeros((blocks, 9)),
         lower=np.zeros((blocks, 9)),
         room=room,
+        runs=make_runs(points, blocks),
     )
 
 

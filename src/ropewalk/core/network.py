@@ -20,6 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.core.block_runs import Runs, eliminate_runs, has_runs, no_runs
 from ropewalk.core.blocks import (
     ZERO9,
     add,
@@ -73,6 +74,7 @@ class Network(NamedTuple):
     lower: Floats  # (b, 9) row of the neighbour, column of the point
     right: Floats  # (m, 3)
     room: Room
+    runs: Runs
 
 
 def no_room() -> Room:
@@ -85,7 +87,7 @@ def no_network() -> Network:
     """Return that of ropes which nothing ties."""
     none = np.zeros(0, np.int64)
     blocks = (np.zeros((0, 9)),) * 3
-    return Network(*(none,) * 6, np.zeros(0), *blocks, np.zeros((0, 3)), no_room())
+    return Network(*(none,) * 6, np.zeros(0), *blocks, np.zeros((0, 3)), no_room(), no_runs())
 
 
 @kernel
@@ -205,7 +207,10 @@ def solve_network(saddle):
 def solve_gathered(saddle):
     """As `solve_network`, with blocks and right sides in the network."""
     network = saddle.network
-    eliminate(network)
+    if has_runs(network):
+        eliminate_runs(network)
+    else:
+        eliminate(network)
     number, z, direction = network.number, network.right, saddle.direction
     for i in range(number.shape[0]):
         for k in range(3):

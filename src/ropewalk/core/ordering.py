@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 
+from ropewalk.core.block_runs import find_runs
 from ropewalk.core.jit import deferred, kernel, small
 
 NOWHERE, ITSELF = (
@@ -221,6 +222,7 @@ def order_groups(network):
         room.known_count[0] = -1
         return False
     sort_later(network)
+    find_runs(network)
     number, n = network.number, network.number.shape[0]
     for i in range(n):
         number[i] = room.place[room.point[i]]
