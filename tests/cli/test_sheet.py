@@ -40,6 +40,8 @@ def test_a_sheet_as_json(ropewalk: Any, job: str) -> None:
     found = json.loads(done.stdout)
     assert found["files"] == ["job-sheet.html"]
     assert found["sections"]["Ropes"]["tables"][0]["unstretched length"] == "3 m"
+    assert found["sections"]["Ropes"]["tables"][0]["what"] == "rope 'rope'"  # whose table it is
+    assert "Forces of the ropes on the anchors" in found["sections"]["At rest"]["notes"][0]
     assert "Not looked at" in found["sections"]["Convergence"]["texts"][0]
 
 

@@ -7,9 +7,11 @@ import shutil
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 
 import ropewalk as rw
 import runs
+from ropewalk.cli.app import main
 from ropewalk.record import store
 from ropewalk.record.errors import RunError
 from ropewalk.record.folder import verify
@@ -120,6 +122,22 @@ def test_folders_of_the_format_before_are_read_and_verified_as_far_as_can_be(sto
     assert Result.open(stopped).status == "interrupted"
     with pytest.raises(RunError, match="older format"):
         rw.resume(stopped)
+    assert "go on with" not in CliRunner().invoke(main, ["info", str(stopped)]).output
+
+
+def test_a_saved_copy_keeps_its_times_and_is_not_offered_to_go_on(
+    stopped: Path, tmp_path: Path
+) -> None:
+    """It said `ropewalk resume COPY`, which is refused, and that the run ended when it was copied."""
+    copy = tmp_path / "copy"
+    Result.open(stopped).save(copy)
+    told = [CliRunner().invoke(main, ["info", str(path)]).output for path in (stopped, copy)]
+    assert ["go on with: ropewalk resume" in text for text in told] == [True, False]
+    assert "ended" not in Result.open(copy).facts.provenance
+    ended = rw.resume(stopped).facts.provenance["ended"]
+    rewrite(stopped / "provenance.json", {"ended": "2020-01-01T00:00:00+00:00"}, sealed=True)
+    again = Result.open(stopped).save(tmp_path / "again").facts.provenance["ended"]
+    assert (again, again < ended) == ("2020-01-01T00:00:00+00:00", True)
 
 
 def test_a_changed_status_is_refused_and_a_sealed_one_is_not(stopped: Path) -> None:

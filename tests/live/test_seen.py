@@ -302,6 +302,32 @@ def test_a_shared_page_has_the_peaks() -> None:
     assert made["scalars"][:, SCALARS.index("tension_max")].max() == pytest.approx(true, rel=1e-4)
 
 
+def test_a_peak_more_than_a_thousand_frames_before_the_next_that_is_shown_is_kept() -> None:
+    """`share --fps 0.5` of 1301 frames had 10.3 N for 84.8 N, and so had a replay at a high speed."""
+    made_of = rw.Material(EA=1e3, mass_per_length=0.1, tension_only=True, axial_damping=60.0)
+    rope = rw.Rope(
+        segments=1, length=1.0, made_of=made_of, loads=[{"node": -1, "mass": 1.0}],
+        shape={"kind": "straight", "start": (0, 0, 0), "end": (0, 0, -0.9)},
+    )  # fmt: skip
+    run = {"duration": 1.3, "frame_rate": 1000, "method": "semi-implicit-euler", "time_step": 5e-4}
+    result = rw.simulate(rw.Scene(ropes=[rope], anchors=[{"node": 0}], run=run))
+    true = float(result.greatest_tension.max())
+    assert true > 5.0 * float(result.greatest_tension[300:].max())
+    made = record_streams(result, 0.5)
+    assert made["scalars"].shape[0] == 2
+    assert made["scalars"][:, SCALARS.index("tension_max")].max() == pytest.approx(true, rel=1e-4)
+    broadcast = ReplayBroadcast(result, playing=False)
+    (shown,) = broadcast.frames_between(1300, 1, 1300)
+    assert read(shown, broadcast.layout(0))[0]["tension_max"] == pytest.approx(true, rel=1e-6)
+
+
+def test_a_shared_page_says_no_more_frames_a_second_than_were_asked_for() -> None:
+    """`--fps 60` of a run at 1 kHz said 60.8: the last frame is taken, however soon it comes."""
+    result = rw.simulate(catch(1000.0))
+    assert " at 60 frames per second" in record(result, 60.0).header["about"]
+    assert " at 1000 frames per second" in record(result, 1e4).header["about"]
+
+
 def test_parts_without_a_frame_are_left_out_of_a_shared_page(tmp_path: Path) -> None:
     """A session of many short parts, of which the page takes not every one."""
     session = Session(catch())
@@ -314,9 +340,9 @@ def test_parts_without_a_frame_are_left_out_of_a_shared_page(tmp_path: Path) -> 
     assert record(tmp_path / "run", 10.0).frames >= 2
 
 
-def record_streams(result: Result) -> dict[str, np.ndarray]:
+def record_streams(result: Result, rate: float = 60.0) -> dict[str, np.ndarray]:
     """Return the streams of a shared page as its script unpacks them."""
-    made = record(result)
+    made = record(result, rate)
     [part] = made.header["parts"]
     at, found = made.header["times"]["bytes"], {}
     for one in part["streams"]:

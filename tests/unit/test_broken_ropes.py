@@ -13,6 +13,7 @@ import ropewalk as rw
 from ropewalk.analysis.compare import compare_runs
 from ropewalk.cli.app import main
 from ropewalk.lowering import build
+from ropewalk.record.contacts import contact_modes, node_modes
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.scene import Anchor, Material, Rope, Scene, Slack, Velocity, save
@@ -92,6 +93,29 @@ def test_a_broken_rope_lies_where_it_broke_and_has_no_numbers_after_that(method:
     rows = [together.layout.anchor_names.index(name) for name in ("hold-b", "pull-b")]
     assert np.isnan(together.reactions[after][:, rows]).all()
     assert np.isnan(rope.stretch[after]).all()
+
+
+def test_whether_a_broken_rope_touches_is_not_known() -> None:
+    """`wrap` said that it had left the bar, with an angle and tensions of 0, and its modes were "open"."""
+    bar = {"kind": "cylinder", "name": "bar", "start": (0.45, 0, -0.3), "end": (0.45, 200, -0.3)}
+    scene = hung("abc").replace(obstacles=[{**bar, "radius": 0.1, "friction": 0.3}])
+    result = rw.simulate(scene, on_failure="return")
+    (end,), span = result.ends, result.layout.span("b")
+    assert 1 < end.frames < result.frames
+    for name, known in (("a", result.frames), ("b", end.frames)):
+        lies = result.wrap("bar", name)
+        for values in (lies.angle, lies.before, lies.after):
+            assert np.isfinite(values[:known]).all()
+            assert np.isnan(values[known:]).all()
+        assert not lies.touches[known:].any()
+    assert result.wrap("bar", "a").touches.any()
+    broken = np.zeros((result.frames, result.nodes), bool)
+    broken[end.frames :, span.first : span.last + 1] = True
+    for modes in (result.contact_modes, node_modes(result)):
+        assert (modes[broken] == -1).all()
+        assert (modes[~broken] >= 0).all()
+    assert (contact_modes(result, [end.frames, 0])[:, span.first] == [-1, 0]).all()
+    result.plot.sticking()
 
 
 def test_sums_and_tables_stay_finite() -> None:

@@ -202,6 +202,47 @@ def test_nothing_is_replaced_unasked(result: Result, tmp_path: Path) -> None:
     assert (tmp_path / "run.csv").read_text() != "mine"
 
 
+def test_tables_of_a_former_export_do_not_stay(result: Result, tmp_path: Path) -> None:
+    """`slides.csv` of another run lay beside the new nodes.csv, and was taken for its own."""
+    for name in ("slides.csv", "slides.parquet", "notes.csv"):
+        (tmp_path / name).write_text("a\n")
+    export(result, "csv", tmp_path, quantities=["positions"])
+    assert (tmp_path / "slides.csv").exists()  # nothing goes unasked
+    export(result, "csv", tmp_path, quantities=["positions", "tension"], overwrite=True)
+    left = sorted(path.name for path in tmp_path.iterdir())
+    assert left == ["nodes.csv", "notes.csv", "segments.csv", "slides.parquet"]
+
+
+def test_a_rope_has_its_own_anchors_and_ties(tmp_path: Path) -> None:
+    """`rope="a"` had the anchors and joints of all ropes."""
+    shape = {"kind": "straight", "start": (0, 0, 0), "end": (1, 0, 0)}
+    ropes = [
+        rw.Rope(
+            name=name, segments=2, length=1.0, shape=shape,
+            made_of=rw.Material(EA=100.0, mass_per_length=0.1),
+        )
+        for name in "ab"
+    ]  # fmt: skip
+    scene = rw.Scene(
+        ropes=ropes,
+        anchors=[{"name": f"hold-{name}", "rope": name, "node": 0} for name in "ba"],
+        joints=[{"points": [{"rope": "b", "node": 2}, {"rope": "a", "node": 2}]}],
+        run={"duration": 0.02, "frame_rate": 50, "method": "semi-implicit-euler"},
+    )
+    result = rw.simulate(scene)
+    anchors, joints = (result.to_pandas(name, rope="a") for name in ("anchors", "joints"))
+    assert set(anchors["anchor"]) == {"hold-a"}
+    np.testing.assert_array_equal(anchors["fz [N]"], result.reactions[:, 1, 2])
+    assert set(joints["tie"]) == {"joint0:a[2]"}
+    np.testing.assert_array_equal(joints["fz [N]"], result.joint_forces[:, 1, 2])
+    (file,) = export(result, "npz", tmp_path / "a", rope="a")
+    found = np.load(file)
+    assert list(found["anchor"]) == ["hold-a"]
+    np.testing.assert_array_equal(found["reactions"], result.reactions[:, [1]])
+    np.testing.assert_array_equal(found["joint_forces"], result.joint_forces[:, [1]])
+    assert set(result.to_pandas("anchors")["anchor"]) == {"hold-a", "hold-b"}
+
+
 def test_a_full_disk_leaves_no_half_table(
     result: Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shutil
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -200,3 +201,15 @@ def test_old_run_folders_open_and_say_that_their_tension_is_elastic(tmp_path: Pa
     assert rows[0][name] == rows[1][name]
     with pytest.raises(RunError, match="older format"):
         old.save(tmp_path / "again")
+
+
+def test_a_run_without_all_that_is_recorded_today_is_not_saved_and_says_so(tmp_path: Path) -> None:
+    """A run of format 6, without the work of contacts: KeyError."""
+    made = rw.simulate(fall("semi-implicit-euler", 2e-6))
+    names = [name for name in made.source.names if name != "momentum"]
+    old = rw.Result(
+        made.scene, made.layout, SimpleNamespace(names=names, read=made.source.read), made.facts
+    )
+    with pytest.raises(RunError, match="older format, without momentum; copy its folder"):
+        old.save(tmp_path / "again")
+    assert not (tmp_path / "again").exists()

@@ -105,7 +105,7 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
         "times": clock.header(),
         "parts": parts,
         "single": max(0, broadcast.single - left_out),
-        "about": _about(times, left_out, errors, max(0, broadcast.single - left_out)),
+        "about": _about(times, rate, left_out, errors, max(0, broadcast.single - left_out)),
     }
     data = b"".join(one.data for one in (clock, *packed))
     return Recording(header, data, len(times), left_out, errors["positions"], errors["tension"])
@@ -185,14 +185,18 @@ def _step(values: Floats) -> float:
     return max(span, 1e-6 * largest) / _LEVELS or 1.0
 
 
-def _about(times: Floats, left_out: int, errors: dict[str, float], single: int) -> str:
-    """Return a sentence on what the page holds and how true it is."""
+def _about(times: Floats, most: float, left_out: int, errors: dict[str, float], single: int) -> str:
+    """Return a sentence on what the page holds, at no more frames per second than `most`, and how true it is.
+
+    The last frame is taken however soon it comes, and says nothing of how many come in a second.
+    """
     times = times[: len(times) - single]
     duration = float(times[-1] - times[0])
-    rate = (len(times) - 1) / duration if duration > 0.0 else 0.0
+    count = max(len(times) - 2, 1)
+    rate = min(count / float(times[count] - times[0]), most) if duration > 0.0 else 0.0
     text = (
         f"{counted(len(times), 'frame')}, {duration:.4g} s"
-        + (f" at {rate:.3g} frames per second" if rate else "")
+        + (f" at {rate:.4g} frames per second" if rate else "")
         + f"; positions are rounded to within {_length(errors['positions'])}, "
         f"tension to within {_figures(errors['tension'])} N."
     )

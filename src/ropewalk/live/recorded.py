@@ -20,7 +20,6 @@ _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
 _MORE = ("elastic_tension", "reactions", "contact_force", PULLEYS)
 _SEEN = {name: "greatest_reactions" if name == "greatest_force" else name for name in Seen._fields}
-_MOST = 1000  # frames passed over, whose extremes the next one shows
 
 
 class Recorded:
@@ -129,7 +128,7 @@ class Recorded:
         if "reactions" in data:
             anchors[:, 6:9] = data["reactions"][row]
         seen = Seen.instant(tension, speed, heights, anchors[:, 6:9]).joined(
-            self._seen(frame, frame - 1 if after is None else max(after, frame - _MOST))
+            self._seen(frame, frame - 1 if after is None else after)
         )
         scalars = {
             "time": time,

@@ -44,7 +44,7 @@ def sticking(result: Result) -> Figure:
     if "contact_force" not in result.source.names:
         raise ValueError("result: has no contact_force - it needs obstacles, or a [contact] table")
     good = good_frames(result)
-    modes = node_modes(result)[:good]
+    modes = np.maximum(node_modes(result)[:good], OPEN)  # ropes that broke do nothing
     spans = result.layout.ropes[:_MOST_ROPES]
     figure = new_figure(7.2, min(1.5 + max(1.2, 2.9 - 0.5 * len(spans)) * len(spans), 9.0))
     grid = figure.subplots(len(spans), 1, squeeze=False, sharex=True)[:, 0]

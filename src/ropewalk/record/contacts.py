@@ -30,7 +30,8 @@ class WrapHistory(NamedTuple):
 
     A rope may leave it and come back: the angle is that of all stretches on it, what the rope turns by
     between them left out, and the tensions are those before the first and after the last of them. The table
-    ``wraps`` has each stretch on its own. What a winch pays out has numbers below 0, or beyond the last.
+    ``wraps`` has each stretch on its own. After the rope broke angle and tensions are NaN. What a winch pays
+    out has numbers below 0, or beyond the last.
     """
 
     time: Floats  # (frames,) [s]
@@ -55,8 +56,8 @@ class WrapHistory(NamedTuple):
 def contact_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
     """Return what nodes do, (frames, nodes), by place in MODES: 0 where one touches no obstacle.
 
-    1 sticks, 2 slips, 3 unknown (see `Result.contact_modes`). Of some `frames` only. Of several obstacles at
-    one node: slips before unknown before sticks.
+    1 sticks, 2 slips, 3 unknown (see `Result.contact_modes`), -1 after its rope broke. Of some `frames`
+    only. Of several obstacles at one node: slips before unknown before sticks.
     """
     wanted = range(result.frames) if frames is None else frames
     rows = {int(frame): row for row, frame in enumerate(wanted)}
@@ -64,17 +65,33 @@ def contact_modes(result: Result, frames: Sequence[int] | None = None) -> NDArra
     for frame, contacts in each_frame(result, wanted):
         np.maximum.at(found[rows[frame]], contacts.node, RANK[_modes(contacts)])
     ranked: NDArray[np.int8] = RANK[found]  # which is its own inverse
+    _leave_broken(result, wanted, ranked)
     return ranked
+
+
+def _leave_broken(result: Result, frames: Iterable[int], modes: NDArray[np.int8]) -> None:
+    """Put -1, not known, for nodes of ropes that had broken at these frames, (frames, nodes)."""
+    for span in result.layout.ropes:
+        modes[np.array(frames) >= _broken_from(result, span), span.first : span.last + 1] = -1
+
+
+def _broken_from(result: Result, span: Span) -> int:
+    """Return the first frame in which a rope has no numbers since it broke; beyond the last: it has."""
+    if result.facts.keep_going:
+        return result.frames
+    return next((end.frames for end in result.ends if span.name in end.ropes), result.frames)
 
 
 def node_modes(result: Result, frames: Sequence[int] | None = None) -> NDArray[np.int8]:
     """Return what every node does on obstacles or ropes, (frames, nodes), by place in MODES.
 
-    Of several contacts of one node: slips before unknown before sticks.
+    Of several contacts of one node: slips before unknown before sticks; -1 after its rope broke.
     """
     wanted = range(result.frames) if frames is None else frames
     both = np.stack([contact_modes(result, wanted), modes_on_ropes(result, wanted)])
+    both = np.maximum(both, 0)
     found: NDArray[np.int8] = np.take_along_axis(both, RANK[both].argmax(axis=0)[None], axis=0)[0]
+    _leave_broken(result, wanted, found)
     return found
 
 
@@ -104,6 +121,9 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
             continue
         lies = _lies(span, contacts, touching, tension[frame])
         nodes[frame], (angle[frame], before[frame], after[frame]) = lies[:2], lies[2:]
+    broken = _broken_from(result, span)
+    nodes[broken:] = 0, -1
+    angle[broken:] = before[broken:] = after[broken:] = np.nan
     return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
 
 

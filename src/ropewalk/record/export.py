@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.files import PARTIAL, writing
 from ropewalk.record.quantities import BY_NAME, QUANTITIES, labels, rope_numbers, sizes
-from ropewalk.record.selection import DEFAULT, Indices, Selection, select
-from ropewalk.record.tables import Table, tables
+from ropewalk.record.selection import DEFAULT, Selection, select
+from ropewalk.record.tables import NAMES, Table, tables
 from ropewalk.record.vtk import write_vtk
 from ropewalk.words.nearest import nearest
 
@@ -58,9 +58,10 @@ def export(
         times: only the frames nearest to these times [s].
         every: only every so many frames. Greatest and least are of all steps since the row before, those of
             chosen times, too, and of the first row since the start; what comes after the last row is in none.
-        rope: only this rope.
+        rope: only this rope, its anchors and what joints tie of it. Pulleys and the table of the run are of
+            all ropes.
         layout: "long", a row per frame and node, or "wide", a row per frame.
-        overwrite: replace files of an earlier export.
+        overwrite: replace files of an earlier export; its other tables in that folder go.
 
     Raises InputError for a request that cannot be met, RunError for the files.
     """
@@ -98,6 +99,10 @@ def _write_tables(found: list[Table], to: str, out: Path, overwrite: bool) -> tu
     for path, table in files.items():
         with new_file(path, overwrite) as partial:
             write(table, partial)
+    if overwrite and out not in files:
+        for path in {out / f"{name}.{to}" for name in NAMES} - set(files):
+            with writing(path):  # of an earlier export of another run, or of more of this one
+                path.unlink(missing_ok=True)
     return tuple(files)
 
 
@@ -184,7 +189,7 @@ def write_npz(result: Result, chosen: Selection, path: Path) -> None:
 
 def _shape(result: Result, chosen: Selection, name: str) -> tuple[int, ...]:
     lengths = sizes(result.layout)
-    lengths |= {"node": len(chosen.nodes), "segment": len(chosen.segments)}
+    lengths |= {dim: len(places) for dim, places in chosen.places.items()}
     return tuple(lengths[dim] for dim in BY_NAME[name].dims[1:])
 
 
@@ -206,8 +211,7 @@ def _write_pieces(
 
 def _picked(array: NDArray[np.float64], name: str, chosen: Selection) -> NDArray[np.float64]:
     second = BY_NAME[name].dims[1] if name in BY_NAME else ""
-    places: dict[str, Indices] = {"node": chosen.nodes, "segment": chosen.segments}
-    return array[:, places[second]] if second in places else array
+    return array[:, chosen.places[second]] if second in chosen.places else array
 
 
 def _about(result: Result, chosen: Selection) -> dict[str, NDArray[Any]]:
@@ -218,6 +222,7 @@ def _about(result: Result, chosen: Selection) -> dict[str, NDArray[Any]]:
         key: np.array(labels(result.layout)[key], dtype=str)
         for key in ("form", "law", "anchor", "extreme", "bound")
     }
+    named["anchor"] = named["anchor"][chosen.anchors]
     return {
         "node_rope": ropes[number[chosen.nodes]],
         "node_number": np.array(of_nodes),

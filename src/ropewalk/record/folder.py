@@ -38,6 +38,7 @@ from ropewalk.record.place import (
     STATUS,
     new_folder,
 )
+from ropewalk.record.quantities import recorded
 from ropewalk.record.reader import Stored, reads
 from ropewalk.record.seal import log_fault, read_sealed, write_sealed
 from ropewalk.record.store import CHECKED, FORMAT, READABLE, SEALED, Writer
@@ -249,8 +250,13 @@ def save_result(result: Result, folder: Path, overwrite: bool) -> None:
     scene = result.scene
     if not result.has_extremes:
         scene = scene.replace(run=scene.run.replace(extremes=False))  # it has none to save
+    names = [quantity.name for quantity in recorded(result.layout, scene)]
+    if absent := [name for name in names if name not in result.source.names]:
+        rule = f"is of an older format, without {', '.join(absent)}; copy its folder instead"
+        raise RunError(result.folder or folder, rule)
     step = max(1, min(result.frames, 4096, 4_000_000 // (48 * result.nodes)))
-    facts = result.facts.but(provenance={**_about(result), "ended": now()})
+    ended = {} if result.folder else {"ended": now()}  # a run that was opened ended long ago
+    facts = result.facts.but(provenance={**ended, **_about(result)})
     with new_folder(folder, overwrite) as made:
         writer = begin(made, scene, result.layout, facts, step)
         for start in range(0, result.frames, step):

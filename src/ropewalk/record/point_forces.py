@@ -154,7 +154,7 @@ class PointForces:
         """What every node does on obstacles at each frame, (frames, nodes).
 
         0 open, 1 sticks, 2 slips; 3 unknown: it touches a rope as well, in a run that was recorded before
-        the force of obstacles was kept apart.
+        the force of obstacles was kept apart. -1 of a rope that broke, where others went on after that.
         """
         from ropewalk.record.contacts import contact_modes
 

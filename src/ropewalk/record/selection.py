@@ -54,6 +54,14 @@ class Selection:
     frames: Indices
     nodes: Indices
     segments: Indices
+    anchors: Indices
+    ties: Indices  # of joints
+
+    @property
+    def places(self) -> dict[str, Indices]:
+        """The places along the dimensions of which some are chosen."""
+        anchors, ties = self.anchors, self.ties
+        return {"node": self.nodes, "segment": self.segments, "anchor": anchors, "tie": ties}
 
     def pieces(self, result: Result) -> Iterator[Indices]:
         """Yield the frames in pieces of bounded size that lie in one chunk of the source."""
@@ -98,7 +106,16 @@ def select(
         raise InputError("quantities", (), f"name one or more of {', '.join(EXPORTED)}")
     found_nodes, found_segments = _places(result, nodes, rope)
     frames = _frames(result, times, every)
-    return Selection(chosen, frames, found_nodes, found_segments)
+    return Selection(chosen, frames, found_nodes, found_segments, *_held(result, rope))
+
+
+def _held(result: Result, rope: str | None) -> tuple[Indices, Indices]:
+    """Return the anchors and the ties of joints on a rope, or on all of them."""
+    anchors = [result.layout.rope_of(node)[0] for node in result.layout.anchor_nodes]
+    ties = [tie.rope for joint in result.scene.joints for tie in joint.points]
+    held = ([i for i, one in enumerate(names) if rope in (None, one)] for names in (anchors, ties))
+    found, tied = (np.array(places, dtype=np.int64) for places in held)
+    return found, tied
 
 
 def _frames(result: Result, times: Sequence[float] | None, every: int | None) -> Indices:

@@ -60,19 +60,19 @@ def tables(result: Result, chosen: Selection, layout: str) -> list[Table]:
     and moments; joints: their forces on each rope; pulleys: how they turn, and works; contacts: a row for
     each node on each obstacle; rope_contacts: one for each contact of two ropes; wraps: one for each stretch
     of a rope on an obstacle; slides: one for each slide; run: energies, works, momentum, one row
-    per frame in either layout.
+    per frame in either layout. Those of pulleys and of the run are of all ropes, whichever is chosen.
     """
     ropes, numbers = _node_labels(result)
     at_nodes = [f"{ropes[i]}[{numbers[i]}]" for i in chosen.nodes]
     at_segments = [f"{ropes[j]}[{numbers[j]}]" for j in chosen.segments]
-    names, ties = list(result.layout.anchor_names), list(result.layout.ties)
-    anchors, tied = np.arange(len(names)), np.arange(len(ties))
+    names = [result.layout.anchor_names[k] for k in chosen.anchors]
+    ties = [result.layout.ties[k] for k in chosen.ties]
     pulleys = list(result.layout.pulleys)
     kinds = (
         ("nodes", "node", chosen.nodes, at_nodes, _OF_NODES),
         ("segments", "segment", chosen.segments, at_segments, _OF_SEGMENTS),
-        ("anchors", "anchor", anchors, names, _OF_ANCHORS),
-        ("joints", "tie", tied, ties, ("joint_forces",)),
+        ("anchors", "anchor", chosen.anchors, names, _OF_ANCHORS),
+        ("joints", "tie", chosen.ties, ties, ("joint_forces",)),
         ("pulleys", "pulley", np.arange(len(pulleys)), pulleys, (PULLEYS,)),
     )
     found = []

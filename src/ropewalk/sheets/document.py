@@ -66,12 +66,13 @@ class Sheet:
         )
 
     def as_dict(self) -> dict[str, Any]:
-        """Return texts and tables for JSON, by section; figures are left out."""
+        """Return texts, tables and what is said of these for JSON, by section; figures are left out."""
         found: dict[str, Any] = {"title": self.title, "lead": self.lead, "sections": {}}
         for one in self.sections:
             texts = [item.words for item in one.items if isinstance(item, Text)]
             tables = [_plain(item) for item in one.items if isinstance(item, Table)]
-            found["sections"][one.title] = {"texts": texts, "tables": tables}
+            notes = [item.note for item in one.items if isinstance(item, Table) and item.note]
+            found["sections"][one.title] = {"texts": texts, "tables": tables, "notes": notes}
         return found
 
     def _repr_html_(self) -> str:
@@ -79,9 +80,13 @@ class Sheet:
 
 
 def _plain(table: Table) -> Any:
-    """Return a table as a mapping from first to second column; with more, or two alike, as a list of rows."""
+    """Return a table as a mapping from first to second column; with more, or two alike, as a list of rows.
+
+    Whose a mapping is, the head of its first column, is its "what".
+    """
     if len(table.head) == 2 and len({row[0] for row in table.rows}) == len(table.rows):
-        return {row[0]: row[1] for row in table.rows}
+        whose = {"what": table.head[0]} if table.head[0] else {}
+        return whose | {row[0]: row[1] for row in table.rows}
     heads = [head or "what" for head in table.head]
     return [dict(zip(heads, row, strict=True)) for row in table.rows]
 

@@ -46,7 +46,8 @@ _FLAGS = {
     "nodes",
     multiple=True,
     metavar="[ROPE:]NODE",
-    help="Only this node and the segments beside it; can be given again.",
+    help="Only this node and the segments beside it; of ROPE also its anchors and joints alone. Pulleys and "
+    "the table of the run are of all ropes. Can be given again.",
 )
 @click.option(
     "--time",

@@ -67,7 +67,7 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
 def _going_on(result: Result, folder: Path) -> str:
     """Return the command that goes on with what was interrupted, "" where nothing was."""
     if not result.facts.provenance.get("live"):
-        return f"resume {folder}" if result.status == "interrupted" else ""
+        return f"resume {folder}" if _resumes(result, folder) else ""
     from ropewalk.live.keeper import parts
     from ropewalk.record.place import session_folder
     from ropewalk.record.result import Result
@@ -75,6 +75,15 @@ def _going_on(result: Result, folder: Path) -> str:
     whole = session_folder(folder)
     interrupted = Result.open(parts(whole)[-1]).status == "interrupted"
     return f"view {whole} --continue" if interrupted else ""
+
+
+def _resumes(result: Result, folder: Path) -> bool:
+    """Tell whether an interrupted run can go on: a copy that was saved has nothing to go on from."""
+    from ropewalk.record.place import CHECKPOINT
+    from ropewalk.record.store import FORMAT
+
+    new = result.facts.provenance.get("format") == FORMAT
+    return result.status == "interrupted" and new and (folder / CHECKPOINT).exists()
 
 
 def _verified(folder: Path) -> str:
