@@ -254,3 +254,12 @@ def test_the_lab_refuses_a_curve() -> None:
 def test_the_schema_takes_a_curve_in_place_of_EA() -> None:
     ways = schema()["$defs"]["Material"]["anyOf"]
     assert {"required": ["curve", "mass_per_length"]} in ways
+
+
+@pytest.mark.parametrize("strain", [0.1, 0.3, 0.57])
+def test_the_largest_strain_that_is_told_is_possible(strain: float) -> None:
+    """It was refused by the last bit, with the words that told it."""
+    growth = np.log(1e4) / strain
+    with pytest.raises(SceneError, match=f"must be at most {strain} with this growth"):
+        ExponentialCurve(EA=1e3, growth=growth, largest_strain=1.0001 * strain)
+    assert ExponentialCurve(EA=1e3, growth=growth, largest_strain=strain).largest_strain == strain

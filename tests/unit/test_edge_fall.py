@@ -21,6 +21,7 @@ from ropewalk.theory import (
     solid_from_edge_fall,
     solid_from_fall,
 )
+from ropewalk.theory.solid_fall import find_time
 
 LABEL = ("8.464 kN", "33.15 %", "64.9 g/m")
 MEAN = 9324.0, 25950.0, 0.1667
@@ -248,3 +249,24 @@ def test_forces_between_which_a_fall_may_have_one_are_possible(
     for bound in re.findall(r"from (\S+) to (\S+) N", str(refused.value))[0]:
         assert fit(float(bound))
         assert len(bound.strip("0")) <= 4
+
+
+@pytest.mark.parametrize("mass", [30.385007449227633, 45.577511173841444, 60.770014898455265])
+def test_forces_that_are_told_are_possible_to_the_last_bit(mass: float) -> None:
+    """Of 3999.9999999999995 N "to 4000 N" was told, and 4000 N refused with the same words."""
+    with pytest.raises(ValueError, match="must be from") as refused:
+        rope_from_fall(1.0, 0.31, mass)
+    most = float(re.findall(r"to (\S+) N", str(refused.value))[0])
+    assert most % 2000.0 == 0.0
+    EA, damping = rope_from_fall(most, 0.31, mass)
+    assert rope_fall(EA, damping, mass, factor=1.77, length=2.8).force == pytest.approx(most)
+
+
+def test_a_force_at_the_end_of_what_relaxing_ropes_may_have_is_found() -> None:
+    def force_of(time: float) -> float:
+        return (0.1 + 0.2) * max(time, 1.0)
+
+    with pytest.raises(ValueError, match=r"from 0.3 to \d+ N"):
+        find_time(force_of, 0.2999999, 1.0)
+    for told in (0.3, 300.0):
+        assert force_of(find_time(force_of, told, 1.0)) == pytest.approx(told, rel=1e-9)

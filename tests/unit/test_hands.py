@@ -260,3 +260,15 @@ def test_the_state_of_another_simulation_is_refused_before_anything_changes() ->
     with pytest.raises(ValueError, match="9 nodes, 1 anchors and 0 winches"):
         other.restore(simulation.state)
     np.testing.assert_array_equal(other.positions, before)
+
+
+def test_what_is_told_of_speed_and_step_of_a_winch_is_possible_to_the_last_bit() -> None:
+    """Of 113.99999999999999 m/s "at most 114 m/s" was told, and 114 m/s refused; so it was of steps."""
+    cord = wound().scene.replace(**{"rope.length": 8 * 0.57})
+    winch = Simulation(cord).winches["hoist"]
+    with pytest.raises(ValueError, match="must be at most 114 m/s"):
+        winch.speed = 114.01
+    winch.speed = -114.0
+    assert winch.speed == -114.0
+    fast = cord.replace(**{"winch.speed": 0.57 * 0.2 / 1e-3})
+    assert Simulation(fast).plan.dt == 1e-3

@@ -10,6 +10,7 @@ import pytest
 from scipy.integrate import solve_bvp, solve_ivp
 
 import ropewalk as rw
+from ropewalk.rigging.lines import _bisected
 from ropewalk.theory import Cable, catenary, elastic_catenary, parabola
 
 # length, across, rise, weight, EA
@@ -268,3 +269,13 @@ def test_bounds_of_a_line_that_are_told_are_those_of_one(way: str, unit: str) ->
     assert len(set(told)) == 2
     for bound in told:
         assert rw.line(100.123, 3.0, "wire-7x19-12", **{way: bound}).length > 0.0  # type: ignore[arg-type]
+
+
+def test_the_least_length_that_is_told_is_possible_to_the_last_bit() -> None:
+    """Of 5.7 m / 1.9 = 3.0000000000000004 m "at least 3 m" was told, and 3 m refused with the same words."""
+    assert 5.7 / 1.9 > 3.0
+    assert rw.line(5.7, 0.0, "wire-7x19-12", length=3.0).length == 3.0
+    with pytest.raises(rw.SceneError, match="must be at least 3 m"):
+        rw.line(5.7, 0.0, "wire-7x19-12", length=2.9999999)
+    assert _bisected(0.3, lambda size: size, 0.1 + 0.2, 1.0) == pytest.approx(0.3)
+    assert _bisected(0.299999, lambda size: size, 0.1 + 0.2, 1.0) == (0.1 + 0.2, 1.0)

@@ -10,7 +10,7 @@ from ropewalk.laws.slides.table import room_of
 from ropewalk.laws.winch import SPLIT, WINCH_SHARE
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.words.annotations import unquoted
-from ropewalk.words.safe_side import rounded_down
+from ropewalk.words.safe_side import rounded_down, within
 
 if TYPE_CHECKING:
     from ropewalk.simulation import Simulation
@@ -51,7 +51,7 @@ class WinchHandle:
             raise ValueError("speed: the anchor of the drum has let go; the winch turns no more")
         plan = self._simulation.plan
         most = WINCH_SHARE * float(self._winches.segment[self._row]) / plan.dt
-        if plan.tolerance is None and abs(speed) > most:
+        if plan.tolerance is None and not within(0.0, abs(speed), most):
             raise ValueError(
                 f"speed: {speed:g} - must be at most {rounded_down(most, 4)} m/s, a fifth of a segment a step"
             )

@@ -11,7 +11,7 @@ import numpy as np
 
 from ropewalk.knots import drawn, hitches
 from ropewalk.knots.course import Curve
-from ropewalk.words.safe_side import inwards, rounded_up
+from ropewalk.words.safe_side import inwards, rounded_up, within
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -25,7 +25,6 @@ HITCHES = ("clove-hitch", "two-half-hitches", "prusik", "munter", "bollard")
 TURNED = ("prusik", "bollard")
 """Of which it can be said how many turns they have."""
 
-_EXACT = 1e-12  # [1] of a bound: what rounding leaves of it
 _TWO = ("reef", "granny")
 _ALONG = np.array([1.0, 0.0, 0.0])
 _HALF_TURN = np.array([-1.0, 1.0, -1.0])  # about y
@@ -181,13 +180,13 @@ def faults(
         )
     elif diameter is not None:
         least, most = THINNEST * diameter, THICKEST * diameter
-        if not least * (1.0 - _EXACT) <= post_radius <= most * (1.0 + _EXACT):
+        if not within(least, post_radius, most):
             low, high = inwards(least, most)
             rule = f"must be from {low} to {high} m for a rope {diameter:g} m thick"
             found.append(("post_radius", post_radius, rule))
         elif ring_radius is not None and name == "munter":
             need = 2.0 * (post_radius + (1.0 + slack) * diameter)
-            if not ring_radius >= need * (1.0 - _EXACT):
+            if not within(need, ring_radius, math.inf):
                 rule = f"must be at least {rounded_up(need, 4)} m, for the rope to have room in the ring"
                 found.append(("ring_radius", ring_radius, rule))
     if ring_radius is not None and name in HITCHES and name != "munter":

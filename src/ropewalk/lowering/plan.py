@@ -16,7 +16,7 @@ from ropewalk.methods.controller import LONGEST_STEP
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError
 from ropewalk.scene.faults import Fault
-from ropewalk.words.safe_side import rounded_down
+from ropewalk.words.safe_side import rounded_down, within
 
 # The rule of NeHe's lesson: whole number of steps whose length stays below the given one.
 _ROUND_OFF = 1e-9  # [1] a frame this close to a whole number of steps counts as whole
@@ -82,7 +82,7 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     else:
         step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
-    if dt > (most := _winch_step(system)):
+    if not within(0.0, dt, most := _winch_step(system)):
         fastest = int(np.argmax(np.abs(system.winches.speed) / system.winches.segment))
         rule = (
             f"must be at most {rounded_down(most, 4)}: in a step winch {scene.winches[fastest].name!r} may "

@@ -28,7 +28,7 @@ from ropewalk.scene.faults import MISSING, NO_VALUE
 from ropewalk.scene.from_library import entry
 from ropewalk.scene.units import WrongUnit, in_unit
 from ropewalk.theory import Cable, elastic_catenary
-from ropewalk.words.safe_side import inwards, rounded_down, rounded_up
+from ropewalk.words.safe_side import inwards, rounded_down, rounded_up, within
 
 if TYPE_CHECKING:
     from ropewalk.rigging.rolling import Rolling
@@ -342,10 +342,10 @@ def _refuse_length(size: float, shortest: float, chord: float, rigid: bool, give
     rule = ""
     if size < shortest and rigid:
         rule = f"must be more than {rounded_up(chord, 6)} m: this rope does not stretch between the ends"
-    elif size < shortest:
+    elif not within(shortest, size, math.inf):
         rule = f"must be at least {rounded_up(shortest, 6)} m: the ends are {chord:.6g} m apart, "
         rule += f"and a line is set up with at most {100.0 * _LONGEST:.0f} % of stretch"
-    elif size > _SLACKEST * chord:
+    elif not within(shortest, size, _SLACKEST * chord):
         rule = f"must be at most {rounded_down(_SLACKEST * chord, 6)} m"
     if rule:
         raise SceneError([Fault("length", given, rule)])
@@ -381,7 +381,7 @@ def _bisected(
     """
     at_low, at_high = of(low), of(high)
     least, most = sorted((at_low, at_high))
-    if not least <= wanted <= most:
+    if not within(least, wanted, most):
         return least, most
     rising = at_high > at_low
     for _ in range(_HALVINGS):

@@ -17,7 +17,7 @@ from ropewalk.scene.csv_columns import folder_of
 from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
 from ropewalk.scene.limits import HUGE
 from ropewalk.theory.curve import at_strain, at_tension, is_straight, pieces_of, slope_range
-from ropewalk.words.safe_side import rounded_down
+from ropewalk.words.safe_side import rounded_down, within
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -258,7 +258,7 @@ class ExponentialCurve(CurveModel):
 
     @model_validator(mode="after")
     def _check(self) -> ExponentialCurve:
-        if np.exp(min(self.growth * self.largest_strain, 700.0)) > _RATIO:
+        if not within(0.0, self.growth * self.largest_strain, np.log(_RATIO)):
             most = rounded_down(np.log(_RATIO) / self.growth, 4)
             rule = f"must be at most {most} with this growth: the slope there is {_RATIO:g} EA"
             refuse([Fault("largest_strain", self.largest_strain, rule)])

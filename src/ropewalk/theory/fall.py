@@ -16,7 +16,7 @@ import math
 from dataclasses import dataclass
 
 from ropewalk.theory.given import need
-from ropewalk.words.safe_side import inwards, rounded_down
+from ropewalk.words.safe_side import inwards, rounded_down, within
 
 _FALL_FACTOR = 1.77  # of EN 892: about 4.96 m of free fall on 2.8 m of rope
 _LENGTH = 2.8  # m
@@ -145,7 +145,7 @@ def rope_from_fall(
 
     least = min((0.01 * i for i in range(100)), key=lambda share: fall(share)[0].force)
     most_force, least_force = fall(0.0)[0].force, fall(least)[0].force
-    if not least_force <= force <= most_force:
+    if not within(least_force, force, most_force):
         above, below = inwards(least_force, most_force)
         raise ValueError(
             f"force: {force:g} - must be from {above} to {below} N: a fall of {mass:g} kg "

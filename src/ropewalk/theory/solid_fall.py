@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.theory.given import need
-from ropewalk.words.safe_side import inwards, rounded_down
+from ropewalk.words.safe_side import inwards, rounded_down, within
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -244,13 +244,14 @@ def find_time(force_of: Callable[[float], float], force: float, catch: float) ->
         if len(forces) > 1 and forces[-1] > forces[-2]:
             break
     least = int(np.argmin(forces))
-    if not forces[least] <= force <= forces[0]:
+    if not within(forces[least], force, forces[0]):
         above, below = inwards(forces[least], forces[0])
         raise ValueError(
             f"force: {force:g} - must be from {above} to {below} N: a rope that relaxes "
             "and has this EA and stretch has no other"
         )
     low, high = math.log(times[least]), math.log(times[0])
+    force = min(max(force, forces[least]), forces[0])
     return math.exp(root_of(lambda size: force_of(math.exp(size)) - force, low, high))
 
 

@@ -6,7 +6,7 @@ import math
 
 from ropewalk.words.percents import percent
 
-_EXACT = 1e-12  # [1] what a product of such numbers may be off by rounding
+_EXACT = 1e-12  # [1] what a product of such numbers may be off by rounding, and a bound with it
 _SOLVED = 1e-9  # [1] what a number that was solved for may be off
 
 
@@ -56,6 +56,11 @@ def inwards(least: float, most: float, figures: int = 4) -> tuple[str, str]:
         if float(low) <= float(high):
             break
     return low, high
+
+
+def within(least: float, value: float, most: float) -> bool:
+    """Tell whether a number is in a range, none negative: bounds as told may be off by rounding."""
+    return least * (1.0 - _EXACT) <= value <= most * (1.0 + _EXACT)
 
 
 def longest_step(seconds: float) -> str:
