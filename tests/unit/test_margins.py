@@ -227,3 +227,26 @@ def test_a_sheet_says_what_the_anchor_bears() -> None:
     light = heavy.replace(**{"rope.length": 1.0, "rope.loads": [{"node": -1, "mass": 50.0}]})
     for name, section in rw.sheet(light, convergence=False).as_dict()["sections"].items():
         assert "half a segment's weight" not in " ".join(section["texts"]), name
+
+
+@pytest.mark.parametrize("weight", [80.0, -80.0, 100.0])
+def test_half_a_segment_in_water_is_what_water_leaves_of_it(weight: float) -> None:
+    """1000 m that hang or float in water: half of the dry weight was looked for, and nothing was told."""
+    stuff = rw.Material(EA=1e8, mass_per_length=10.0, breaking_load=80e3)
+    chain = rw.Rope(
+        segments=10, length=1000.0, diameter=0.05, made_of=stuff, submerged_weight=weight,
+        shape={"kind": "straight", "start": (0, 0, 0), "direction": (0, 0, -np.sign(weight))},
+    )  # fmt: skip
+    hung = rw.Scene(ropes=[chain], anchors=[{"node": 0}])
+    borne = 1000.0 * abs(weight)
+    told = rw.equilibrium(hung).table["about the largest tension"]
+    assert told.startswith(
+        f"the anchor bears {borne:.6g} N, half a segment's weight more (5.3 %), "
+    )
+    assert f"{borne / 800.0:.3g} % of the breaking load" in told
+    found = rw.check(hung, measure=False).ropes[0]
+    assert found.largest_anchor_force == found.anchor_bears == pytest.approx(borne)
+    assert found.utilisation == pytest.approx(borne / 80e3)
+    assert f"its anchor bears {borne / 1e3:.5g} kN, half a segment's weight more" in str(
+        found.lines()
+    )

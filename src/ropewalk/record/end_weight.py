@@ -59,6 +59,8 @@ def is_end_weight(
         return False
     rope, node = scene.rope_named(layout.rope_of(segment)[0]), layout.anchor_nodes[row]
     half = 0.5 * rope.own_mass / rope.segments * np.array(scene.gravity)
+    if rope.submerged_weight is not None:  # what water leaves of it
+        half = -0.5 * rope.submerged_weight * rope.segment_length * np.array(scene.up)
     along = at[segment + 1 if node == segment else segment] - at[node]
     alone = np.linalg.norm(tension * along / np.linalg.norm(along) + half)
     return bool(abs(force - alone) <= _APART * np.linalg.norm(half))
