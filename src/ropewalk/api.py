@@ -71,8 +71,9 @@ def simulate(
 def equilibrium(scene: SceneLike) -> Result:
     """Return the shape in which a scene is at rest, without running it.
 
-    All laws take part but friction: weight, stretch, ground, wind, bending; anchors stand where they are
-    at time zero. The stretch limiter takes no part.
+    Weight, stretch, bending, wind, ground, obstacles, other ropes and slides take part, the last three with
+    their friction; damping does not, nor friction that is viscous (along segments, on the ground), nor the
+    stretch limiter. Anchors stand where they are at time zero.
 
     Args:
         scene: scene, preset's name, or scene file.

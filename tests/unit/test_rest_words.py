@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.record.result import Result
 from ropewalk.scene import Air, Anchor, Cylinder, Load, Material, Polyline, Rope, Scene, Straight
 from ropewalk.scene.anchor import Clamp
 from ropewalk.sheets.loads import _tail_words
@@ -65,6 +67,40 @@ def test_a_rod_that_lies_on_the_ground_does_not_stand(height: float, lies: bool)
     assert tail.stands is not lies
     assert ("hang or lie, " if lies else "stand or hang, ") in tail.words
     assert _tail_words(tail) == ("hangs or lies" if lies else "stands or hangs")
+
+
+@pytest.mark.parametrize("EI", [0.0, 0.05])
+def test_a_tail_that_lies_straight_on_the_ground_does_not_hang_free(EI: float) -> None:
+    """Drawn along the ground it is as long from end to end as it is made, and lies all the same."""
+    ground = {"height": 0.0, "repulsion": 1e4, "damping_ratio": 1.0}
+    tail = span_of(1.0, WIRE.replace(EI=EI), anchors=[Anchor(node=0)], ground=ground)
+    assert tail.distance == pytest.approx(1.0, rel=1e-6)
+    assert tail.words == "nodes 0 to 10 hang or lie, 1 m of rope, its tip 1 m away"
+    assert _tail_words(tail) == "hangs or lies"
+
+
+def test_a_tension_below_the_force_that_is_left_is_none() -> None:
+    """ "largest tension 4.16528e-18 N" was told of a rope that lies on the ground."""
+    ground = {"height": 0.0, "repulsion": 1e4, "damping_ratio": 1.0}
+    rope = Rope(name="r", length=1.0, segments=10, diameter=0.01, made_of=WIRE, shape=Straight())
+    lying = Scene(ropes=[rope], anchors=[Anchor(node=0)], ground=ground)
+    rest, shape = rw.equilibrium(lying), static_shape(lying)
+    assert 0.0 < rest.tension.max() <= rest.residual
+    assert "with 10 segments, largest tension 0 N, at most" in repr(rest)
+    assert rest.table["largest tension [N]"] == shape.largest_tension == 0.0
+    assert shape.spans[0].pull_words(4) == "0 N"
+    assert repr(shape).endswith("largest tension 0 N.")
+    assert "at rest: largest tension 0 N, strain 0 %" in str(rw.check(lying, measure=False))
+
+
+def test_one_segment_and_one_frame_are_told_as_one() -> None:
+    """ "with 1 segments" and "in 1 frames"."""
+    rope = Rope(name="r", length=1.0, segments=1, made_of=WIRE, shape=Straight())
+    hung = Scene(ropes=[rope], anchors=[Anchor(node=0)])
+    rest = rw.equilibrium(hung)
+    assert "rope 'r' with 1 segment, largest" in repr(rest)
+    only = Result(rest.scene, rest.layout, rest.source, replace(rest.facts, status="cancelled"))
+    assert "rope 'r' with 1 segment, 0 s in 1 frame by" in repr(only)
 
 
 def test_a_rope_on_a_drum_is_not_told_to_be_held_by_nothing() -> None:

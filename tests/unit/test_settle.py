@@ -174,6 +174,77 @@ def test_what_nothing_stretches_is_still_refused(slack: Scene) -> None:
         rw.equilibrium(slack)
 
 
+def _beside() -> Scene:
+    """Two ropes that float from anchors to one joint with a chain, one of which is too long."""
+    ropes = [POLY.replace(length=5.5), _of("longer", 9.0, (0, 1, 0), (5, 0, -2), **AFLOAT), HEAVY]
+    ends = [
+        Anchor(rope=name, node=node) for name, node in (("poly", 0), ("longer", 0), ("chain", -1))
+    ]
+    joint = [("poly", -1), ("longer", -1), ("chain", 0)]
+    points = [{"rope": name, "node": node} for name, node in joint]
+    return Scene(ropes=ropes, anchors=ends, joints=[{"points": points}])
+
+
+def _held_in_the_middle(load: float | None) -> Scene:
+    """Two spans of a line that floats, one of which bears a weight of 20 kg, on a slide or as a load."""
+    course = [(10 * i / 24, 0, -(np.sin(np.pi * i / 12) ** 2)) for i in range(25)]
+    found = _ridden(20.0 if load is None else 0.0)
+    loads = [] if load is None else [rw.Load(node=6, mass=load)]
+    line = found.ropes[0].replace(
+        length=12.0, shape={"kind": "points", "points": course}, loads=loads
+    )
+    held = [Anchor(rope="poly", node=node) for node in (0, 12, -1)]
+    ropes = [line, *(found.ropes[1:] if load is None else [])]
+    return found.replace(ropes=ropes, anchors=held, slides=found.slides if load is None else [])
+
+
+@pytest.mark.parametrize(
+    ("slack", "named"),
+    [
+        (_beside(), "longer"),
+        (_held_in_the_middle(None), "poly"),
+        (_held_in_the_middle(20.0), "poly"),
+    ],
+    ids=["a longer one beside", "a slide on the other span", "a load on the other span"],
+)
+def test_what_stays_slack_beside_what_is_stretched_is_refused(slack: Scene, named: str) -> None:
+    """ "sag 3.284 m over 5.598 m" was invented of the longer one, by how it was drawn."""
+    with pytest.raises(
+        rw.SceneError, match=r"no shape of its own: .*buoyancy carries it all"
+    ) as told:
+        rw.equilibrium(slack)
+    number = next(i for i, rope in enumerate(slack.ropes) if rope.name == named)
+    assert str(told.value).startswith(
+        f'rope[{number}]: "{named}" - it is slack between its anchors'
+    )
+    assert "\n" not in str(told.value)
+
+
+def test_check_tells_no_sag_of_what_may_have_any() -> None:
+    """Of what carries nothing and weighs nothing; what it is tied to has its own."""
+    statics = check(_beside(), measure=False).statics
+    assert {span.rope for span in statics.spans} == {"poly", "chain"}
+    statics = check(_held_in_the_middle(20.0), measure=False).statics
+    assert [(span.first, span.last) for span in statics.spans] == [(0, 12)]
+    assert static_shape(afloat(0.0), strict=False).spans == ()
+    assert len(static_shape(afloat(0.0, end=0.6), strict=False).spans) == 1  # it is taut
+
+
+def test_check_tells_nothing_of_a_tag_line_that_floats() -> None:
+    """Its tied node sank with the rope, the others stayed as drawn: 3 m were to "hang free, 5.964 m long"."""
+    level = Straight(start=(0, 0, 0), end=(10, 0, 0))
+    chain = _of("chain", 12.0, (0, 0, 0), (10, 0, 0), segments=8).replace(shape=level)
+    up = Straight(start=(5, 0, 0), direction=(0, 0, 1))
+    tag = _of("tag", 3.0, (5, 0, 0), (6, 0, 0), **AFLOAT).replace(shape=up)
+    joint = {"points": [{"rope": "chain", "node": 4}, {"rope": "tag", "node": 0}]}
+    ends = [Anchor(rope="chain", node=node) for node in (0, -1)]
+    tied = Scene(ropes=[chain, tag], anchors=ends, joints=[joint])
+    found = check(tied, measure=False)
+    assert [span.rope for span in found.statics.spans] == ["chain", "chain"]
+    assert "hang free" not in str(found)
+    assert any("'tag': 4 of 4 segments carry no tension" in text for text in found.warnings)
+
+
 @pytest.mark.parametrize(
     ("weight", "said"),
     [(2.0, "holds it; it falls"), (0.0, "holds it"), (-2.0, "holds it; it rises")],

@@ -28,6 +28,7 @@ from ropewalk.record.tension_notes import (
     tension_note,
 )
 from ropewalk.record.turnover import share_turned
+from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.pushes import largest_push
 
@@ -101,13 +102,13 @@ def in_words(result: Result) -> str:
     where = f" in {result.folder}" if result.folder else ""
     if result.status == AT_REST:
         return (
-            f"Equilibrium of {result.scene.name!r}{where}: {ropes} with {segments} segments, "
+            f"Equilibrium of {result.scene.name!r}{where}: {ropes} with {counted(segments, 'segment')}, "
             f"largest tension {prefixed(result.table[f'largest {result.tension_name} [N]'], 'N', 6)}, "
             f"at most {result.residual:.2g} N left on a node."
         )
     said = (
-        f"Result of {result.scene.name!r}{where}: {ropes} with {segments} segments, "
-        f"{result.time[-1]:.6g} s in {result.frames} frames by {result.plan.method} "
+        f"Result of {result.scene.name!r}{where}: {ropes} with {counted(segments, 'segment')}, "
+        f"{result.time[-1]:.6g} s in {counted(result.frames, 'frame')} by {result.plan.method} "
         f"in {_pace(result)}, {_drift(result)}; {result.status}."
     )
     return f"{said} {result.diagnosis}".rstrip()
@@ -213,6 +214,8 @@ def _moment_at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]
 def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the numbers of an equilibrium, without those of a motion."""
     about = result.facts.provenance["statics"]
+    if abs(found["greatest tension"].value) <= result.residual:  # rounding, and none
+        found = found | {"greatest tension": found["greatest tension"]._replace(value=0.0)}
     table: dict[str, Any] = {"status": result.status}
     peak, least = found["greatest tension"], found["least tension"]
     notes = {

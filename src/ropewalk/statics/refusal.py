@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.acting import at_rest
@@ -15,7 +16,8 @@ from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
 from ropewalk.statics.tied import partners, points, tied_nodes
 
-_ROUNDING = 1e-9  # of a weight: what buoyancy leaves of it by rounding [1]
+_ROUNDING = 1e-9  # of a weight, or a length: what buoyancy, or rest, leaves of it by rounding [1]
+_NOTHING = 1e-12  # of the largest tension: what carries nothing [1]
 
 
 def unheld_ropes(model: Model) -> tuple[str, ...]:
@@ -30,43 +32,106 @@ def undetermined_ropes(model: Model) -> tuple[str, ...]:
 
 def refuse_impossible(model: Model) -> None:
     """Raise SceneError for ropes that have no rest shape, or that nothing gives one."""
-    faults = []
-    for number, rope in enumerate(model.layout.ropes):
-        rule = _fault_of(model, rope)
-        if rule:
-            faults.append(Fault(f"rope[{number}]", rope.name, rule))
+    _refuse([_fault_of(model, rope) for rope in model.layout.ropes], model)
+
+
+def refuse_loose(model: Model, positions: Floats, tension: Floats) -> None:
+    """Raise SceneError for ropes with parts that nothing stretches at rest, `is_loose`.
+
+    Args:
+        model: what is at rest.
+        positions: places of the nodes there (n, 3) [m].
+        tension: of the segments there (s,) [N].
+    """
+    nothing, rules = unloaded(tension), []
+    for rope in model.layout.ropes:
+        held = _held_anyhow(model, rope)
+        parts = itertools.pairwise(held)
+        tails = [(held[0], rope.start), (held[-1], rope.end)] if held else []
+        between, beyond = (
+            any(is_loose(model, rope, part, positions, nothing) for part in some)
+            for some in (parts, tails)
+        )
+        rules.append(_no_shape(model, outer=beyond) if between or beyond else "")
+    _refuse(rules, model)
+
+
+def _refuse(rules: list[str], model: Model) -> None:
+    """Raise SceneError with what is wrong with the ropes, "" for nothing."""
+    faults = [
+        Fault(f"rope[{number}]", rope.name, rule)
+        for number, (rope, rule) in enumerate(zip(model.layout.ropes, rules, strict=True))
+        if rule
+    ]
     if faults:
         raise SceneError(faults)
 
 
+def unloaded(tension: Floats) -> NDArray[np.bool_]:
+    """Return which segments carry nothing but rounding, (s,), of their tensions [N]; NaN are left out."""
+    largest = float(np.fmax.reduce(np.abs(tension), initial=0.0))
+    return np.asarray(np.abs(tension) <= _NOTHING * largest)
+
+
+def is_loose(
+    model: Model,
+    rope: Span,
+    part: tuple[int, int],
+    positions: Floats,
+    nothing: NDArray[np.bool_],
+) -> bool:
+    """Tell whether nothing gives a part of a rope its shape: neither forces on it nor what pulls its ends.
+
+    Args:
+        model: what is at rest.
+        rope: of which it is a part.
+        part: the nodes at its ends: two that are held, or one and the rope's end.
+        positions: places of the nodes at rest (n, 3) [m].
+        nothing: which segments carry nothing (s,).
+    """
+    first, last = sorted(part)
+    if first == last or not nothing[first:last].all():
+        return False
+    if {Rest.HOLDS, Rest.CARRIES} & at_rest(model.system) or _bends(model, rope):
+        return False
+    held = set(_held_anyhow(model, rope))
+    if _is_drawn(model, rope, first + (first in held), last - (last in held)):
+        return False
+    if not {first, last} <= held:
+        return True
+    distance = float(np.linalg.norm(positions[last] - positions[first]))
+    length = float(model.state.rest_length[first:last].sum())
+    return last - first > 1 and distance < length * (1.0 - _ROUNDING)
+
+
 def _fault_of(model: Model, rope: Span) -> str:
     """Return what is missing for one rope to be at rest; "" where nothing is."""
-    held = held_nodes(model, rope)
     heavy, rests = bool(np.any(model.system.gravity)), at_rest(model.system)
     if Rest.HOLDS in rests:
         return ""
     if not _is_held(model, rope):
         return _unheld(model, rope, heavy, rests)
-    held = sorted({*held, *tied_nodes(model, rope), *_sliding_nodes(model, rope)})
-    bends = model.scene.ropes[model.scene.rope_index(rope.name)].bending_stiffness > 0.0
-    if Rest.CARRIES in rests or bends or _is_drawn(model, rope):
+    held = _held_anyhow(model, rope)
+    if Rest.CARRIES in rests or _bends(model, rope) or _is_drawn(model, rope):
         return ""
     outer = rope.start != held[0] or rope.end != held[-1]
     slack = any(
         _is_slack(model, a, b) and not _is_laden(model, rope, a, b)
         for a, b in itertools.pairwise(held)
     )
-    if outer or slack:
-        part = (
-            "the part beyond its last anchor" if outer else "it is slack between its anchors, and"
-        )
-        verb = "has" if outer else "has there"
-        lacks = ("weight (buoyancy carries it all)", "weight") if heavy else ("gravity", "gravity")
-        return (
-            f"{part} {verb} no shape of its own: there is neither {lacks[0]} nor wind, so every shape is "
-            f"at rest; give {lacks[1]}, wind, or anchors that stretch it"
-        )
-    return ""
+    return _no_shape(model, outer=outer) if outer or slack else ""
+
+
+def _no_shape(model: Model, *, outer: bool) -> str:
+    """Return the words for what is slack between nodes that are held, or lies beyond the outermost one."""
+    part = "the part beyond its last anchor" if outer else "it is slack between its anchors, and"
+    verb = "has" if outer else "has there"
+    heavy = bool(np.any(model.system.gravity))
+    lacks = ("weight (buoyancy carries it all)", "weight") if heavy else ("gravity", "gravity")
+    return (
+        f"{part} {verb} no shape of its own: there is neither {lacks[0]} nor wind, so every shape is "
+        f"at rest; give {lacks[1]}, wind, or anchors that stretch it"
+    )
 
 
 def _unheld(model: Model, rope: Span, heavy: bool, rests: set[Rest]) -> str:
@@ -108,10 +173,23 @@ def _forces_on(model: Model, rope: Span) -> tuple[Floats, Floats]:
     return np.outer(model.system.gravity, state.mass[own]), state.forces.applied[:, own]
 
 
-def _is_drawn(model: Model, rope: Span) -> bool:
-    """Whether weight or a constant force acts on a node of the rope that the other does not take up."""
+def _is_drawn(model: Model, rope: Span, first: int = 0, last: int | None = None) -> bool:
+    """Whether weight or a constant force acts on a node of the rope that the other does not take up.
+
+    Of the nodes from `first` to `last` alone, if these are given.
+    """
     weight, push = _forces_on(model, rope)
-    return bool(np.abs(weight + push).max() > _ROUNDING * np.abs(weight).max())
+    least = _ROUNDING * np.abs(weight).max()
+    if last is not None:
+        weight, push = (
+            part[:, first - rope.start : last - rope.start + 1] for part in (weight, push)
+        )
+    return bool(np.abs(weight + push).max(initial=0.0) > least)
+
+
+def _bends(model: Model, rope: Span) -> bool:
+    """Whether a rope is stiff in bending."""
+    return model.scene.rope_named(rope.name).bending_stiffness > 0.0
 
 
 def _is_laden(model: Model, rope: Span, first: int, last: int) -> bool:
@@ -147,6 +225,12 @@ def _is_held(model: Model, rope: Span) -> bool:
     if not tied_nodes(model, rope):
         return bool(held_nodes(model, rope))
     return any(held_nodes(model, one) for one in partners(model, rope))
+
+
+def _held_anyhow(model: Model, rope: Span) -> list[int]:
+    """Return the nodes of a rope that anchors hold, joints tie or slides lead, in order, in the arrays."""
+    tied, slid = tied_nodes(model, rope), _sliding_nodes(model, rope)
+    return sorted({*held_nodes(model, rope), *tied, *slid})
 
 
 def _sliding_nodes(model: Model, rope: Span) -> set[int]:

@@ -25,14 +25,20 @@ from ropewalk.statics.hung import hung
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.pressing import Watch, speared_words
 from ropewalk.statics.pulleys import Pulley, pulleys
-from ropewalk.statics.refusal import refuse_impossible, undetermined_ropes, unheld_ropes
+from ropewalk.statics.refusal import (
+    refuse_impossible,
+    refuse_loose,
+    undetermined_ropes,
+    unheld_ropes,
+    unloaded,
+)
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
 from ropewalk.statics.touches import Seat, Touch, seats, touches
 from ropewalk.statics.wraps import Wrap, going_on_words, on_the_way_words, sliding_words, wraps
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.prefixes import prefixed
-from ropewalk.words.pushes import largest_push
+from ropewalk.words.pushes import largest_push, pull_told
 
 _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the model's units [1]
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
@@ -89,8 +95,8 @@ class Statics:
 
     @property
     def largest_tension(self) -> float:
-        """Largest tension of any segment [N]; 0 where no rope is held."""
-        return float(self.tension.max(initial=0.0))
+        """Largest tension of any segment [N]; 0 where no rope is held, or where it is rounding."""
+        return pull_told(float(self.tension.max(initial=0.0)), self.residual)
 
     @property
     def largest_push(self) -> float:
@@ -162,7 +168,9 @@ def checked_shape(source: Scene | Model) -> Statics:
     """
     model = source if isinstance(source, Model) else build(source)
     refuse_impossible(model)
-    return static_shape(model)
+    found = static_shape(model)
+    refuse_loose(model, found.positions, found.tension)
+    return found
 
 
 def _find(model: Model, balance: Balance, *, patient: bool) -> Found:
@@ -305,8 +313,7 @@ def _statics(
     rest = model.state.rest_length
     stretch = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
     carried = balance.carried(x, tension)
-    none = np.abs(carried) <= 1e-12 * float(np.abs(carried).max(initial=0.0))
-    slack = (model.state.stiffness > 0.0) & none
+    slack = (model.state.stiffness > 0.0) & unloaded(carried)
     for name in left_out:  # they stay as drawn
         span = model.layout.span(name)
         stretch[span.first : span.last] = 1.0
@@ -321,6 +328,7 @@ def _statics(
     lie, contacts = _lie(model, balance, x, tension)
     obstacles, held = bool(model.scene.obstacles), balance.state.memory
     residual = float(np.abs(left[:, balance.free]).max(initial=0.0))
+    spans = rest_spans(model, positions, carried, residual)
     return Statics(
         positions=positions,
         tension=carried,
@@ -329,7 +337,7 @@ def _statics(
         slack=slack,
         stretch=stretch,
         grounded=_grounded(model, x),
-        spans=rest_spans(model, positions, carried, residual),
+        spans=tuple(span for span in spans if span.rope not in left_out),
         unheld=unheld,
         residual=residual,
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),

@@ -16,9 +16,10 @@ from ropewalk.laws.obstacle import touched
 from ropewalk.lowering import Model, Span
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.hung import held_nodes, upward
+from ropewalk.statics.refusal import is_loose, unloaded
 from ropewalk.statics.tied import tied_nodes
 from ropewalk.words.prefixes import prefixed
-from ropewalk.words.pushes import largest_push
+from ropewalk.words.pushes import largest_push, pull_told
 
 _STRAIGHT = 1e-6  # share of a tail's length that it may lack and hang straight [1]
 _ROUNDING = 1e-12  # of the ends' distance: what is no height [1]
@@ -49,6 +50,7 @@ class RestSpan:
     stands: bool = (
         False  # whether bending stiffness alone bears a tail that does not hang straight down
     )
+    lies: bool = False  # whether some of a tail lies on the ground
 
     @property
     def words(self) -> str:
@@ -67,7 +69,8 @@ class RestSpan:
     @property
     def straight(self) -> bool:
         """Whether its ends are as far apart as it is long: a tail that hangs, and lies nowhere."""
-        return not self.stands and self.distance >= self.length * (1.0 - _STRAIGHT)
+        straight = self.distance >= self.length * (1.0 - _STRAIGHT)
+        return straight and not self.stands and not self.lies
 
     @property
     def _tail(self) -> str:
@@ -106,6 +109,8 @@ def rest_spans(
 ) -> tuple[RestSpan, ...]:
     """Return the spans of a rest shape; of ropes that lie on obstacles there are none: see `wraps`.
 
+    Nor of what may have any shape.
+
     Args:
         model: what is at rest.
         positions: places of the nodes (n, 3) [m].
@@ -116,16 +121,16 @@ def rest_spans(
     measure = partial(_measure, model, positions, tension, _shear(model, positions), left)
     lies = touched(model.system.node.obstacle, positions.T)
     lies &= model.state.inverse_mass > 0.0  # what is held touches nothing
+    nothing = unloaded(tension)
     for rope in model.layout.ropes:
         nodes = sorted({*held_nodes(model, rope), *tied_nodes(model, rope)})
         if not nodes or lies[rope.start : rope.end + 1].any():
             continue
-        if nodes[0] > rope.start:
-            found.append(measure(rope, nodes[0], rope.start))
-        for first, last in itertools.pairwise(nodes):
-            found.append(measure(rope, first, last, "span"))
-        if nodes[-1] < rope.end:
-            found.append(measure(rope, nodes[-1], rope.end))
+        parts = [(nodes[0], rope.start), *itertools.pairwise(nodes), (nodes[-1], rope.end)]
+        for number, (first, last) in enumerate(parts):
+            kind = "span" if 0 < number < len(parts) - 1 else "tail"
+            if first != last and not is_loose(model, rope, (first, last), positions, nothing):
+                found.append(measure(rope, first, last, kind))
     return tuple(found)
 
 
@@ -138,7 +143,7 @@ def _measure(
     rope: Span,
     first: int,
     last: int,
-    kind: str = "tail",
+    kind: str,
 ) -> RestSpan:
     up, gravity = upward(model)
     low, high = min(first, last), max(first, last)
@@ -166,7 +171,7 @@ def _measure(
     drop, over_it = (_seen(float(one.max()), distance) for one in (chord - heights, heights - over))
     bends = model.scene.rope_named(rope.name).bending_stiffness > 0.0
     free_nodes = model.state.inverse_mass > 0.0
-    lies = (borne(model.system, positions.T) & free_nodes)[low : high + 1].any()
+    lies = bool((borne(model.system, positions.T) & free_nodes)[low : high + 1].any())
     return RestSpan(
         rope=rope.name,
         kind=kind,
@@ -182,10 +187,11 @@ def _measure(
         else _horizontal(
             pulls[lowest], float(pull[lowest]), turned, level[-1] * (across > 0.0), up
         ),
-        largest_tension=float(pull.max(initial=0.0)),
+        largest_tension=pull_told(float(pull.max(initial=0.0)), left),
         largest_push=largest_push(pull, left),
         windy=Rest.CARRIES in at_rest(model.system),
         stands=free and bends and not lies and -rise < distance * (1.0 - _STRAIGHT),
+        lies=free and lies,
     )
 
 

@@ -1,4 +1,4 @@
-"""Which pushes of a shape at rest are told: those that are no rounding."""
+"""Which pulls and pushes of a shape at rest are told: those that are no rounding."""
 
 from __future__ import annotations
 
@@ -17,3 +17,8 @@ def largest_push(tension: NDArray[np.float64], left: float) -> float:
     push = -float(np.fmin.reduce(tension, initial=0.0))
     largest = float(np.fmax.reduce(np.abs(tension), initial=0.0))
     return push if push > max(_ROUNDING * largest, _FAR * left) else 0.0
+
+
+def pull_told(pull: float, left: float) -> float:
+    """Return a pull at rest [N], 0 up to the largest force that is left on a node [N]: it is rounding."""
+    return pull if pull > left else 0.0
