@@ -200,6 +200,7 @@ def test_ctrl_c_finishes_the_block_and_saves(tmp_path: Path) -> None:
     assert result.frames == 2 * CHUNK
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     rw.resume(tmp_path / "run")
+    assert len(result.tension) == 2 * CHUNK  # it goes on as the run that was opened
     equal_runs(tmp_path / "run", tmp_path / "whole")
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import shutil
+import uuid
 import warnings
 from collections.abc import Callable
 from pathlib import Path
 
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -15,7 +17,7 @@ import ropewalk as rw
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.repair import faults
 from ropewalk.sweeps.sweep_folder import SweepFolder
-from sweeps.scenes import RUNS, flip, make, store_bytes
+from sweeps.scenes import EA, RUNS, flip, make, store_bytes, swing
 
 
 def test_a_damaged_batch_is_seen_and_made_again(tmp_path: Path, whole: dict[str, bytes]) -> None:
@@ -208,3 +210,18 @@ def test_a_sweep_whose_facts_have_no_checksum_still_opens(
     (folder / "sweep.json").write_bytes((folder / "sweep.json").read_bytes()[:-9])
     with pytest.raises(RunError, match=r"holds no JSON.*it is missing.*make the sweep anew"):
         rw.sweep.open(folder)
+
+
+def test_numbers_of_a_sweep_that_has_replaced_the_one_that_was_opened_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("ropewalk.sweeps.sweep_plan.uuid", uuid)  # not the one id of these tests
+    points = pd.DataFrame({EA: [1e3, 2e3]})
+    old = rw.sweep(swing(0.02), points, store=tmp_path / "s", on="here")
+    other = points.assign(**{EA: [4e3, 5e3]})
+    new = rw.sweep(swing(0.02), other, store=tmp_path / "s", on="here", overwrite=True)
+    with pytest.raises(RunError, match="s: holds another sweep by now; open it again"):
+        old.tension_max.load()
+    with pytest.raises(RunError, match="s: holds another sweep by now; open it again"):
+        old.tension_max.load()  # nor later on
+    assert (rw.sweep.open(tmp_path / "s").tension_max.values == new.tension_max.values).all()

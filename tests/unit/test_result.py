@@ -16,6 +16,7 @@ import ropewalk as rw
 import runs
 from ropewalk import plots
 from ropewalk.api import BrokenRun
+from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 
 
@@ -275,3 +276,25 @@ def test_no_frame_is_nearest_to_no_time(result: Result) -> None:
     assert result.frame_at(9.0) == result.frames - 1
     with pytest.raises(ValueError, match="must be a number of seconds"):
         result.frame_at(float("nan"))
+
+
+def test_numbers_of_another_run_are_refused_where_it_has_replaced_the_one_that_was_opened(
+    tmp_path: Path,
+) -> None:
+    one, other = (runs.hanging(duration=0.05, segments=2, spring_constant=k) for k in (1e3, 50.0))
+    rw.run(one, tmp_path / "run")
+    opened, data = rw.open(tmp_path / "run"), rw.open(tmp_path / "run").dataset
+    early = opened.positions
+    rw.run(other, tmp_path / "run", overwrite=True)
+    assert opened.positions is early  # what was read stays
+    for late in (
+        lambda: opened.tension,
+        lambda: opened.beyond,
+        lambda: data["positions"].values,
+        lambda: opened.dataset,
+    ):
+        with pytest.raises(RunError, match="run: holds another run by now; open it again"):
+            late()
+    again = rw.open(tmp_path / "run")
+    assert again.beyond is None
+    assert again.dataset["tension"].values.tolist() == again.tension.tolist()

@@ -10,6 +10,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Layout
 from ropewalk.record.books import told
 from ropewalk.record.obstacle_table import swings
+from ropewalk.record.place import DATA
 from ropewalk.record.quantities import (
     BY_NAME,
     CONTACT_WORK,
@@ -138,7 +139,10 @@ def make_dataset(result: Result) -> RunDataset:
     from ropewalk.record.run_dataset import RunDataset
 
     if result.folder is not None:
-        stored: xr.Dataset = xr.open_zarr(result.folder / "data.zarr", chunks=None)
+        from ropewalk.record.run_store import RunStore
+
+        store = RunStore(result.folder / DATA, stored=result.source)
+        stored: xr.Dataset = xr.open_zarr(store, chunks=None)
         books = [name for name in ("work", CONTACT_WORK) if name in stored]
         works = {
             name: stored[name].copy(data=told(result, name, stored[name].values)) for name in books

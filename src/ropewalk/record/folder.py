@@ -182,7 +182,8 @@ def open_parts(folder: Path) -> tuple[Scene, Facts, Stored]:
     try:
         scene = read_scene(folder)
         facts = read_facts(folder)
-        stored = Stored(folder / DATA, scene, make_layout(scene))
+        started = facts.provenance.get("started")
+        stored = Stored(folder / DATA, scene, make_layout(scene), started)
         check_scene(folder, scene, facts)
         if facts.status in (RUNNING, INTERRUPTED):
             last = float(stored.read("time", stored.frames - 1)[0])

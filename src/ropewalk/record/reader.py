@@ -14,6 +14,7 @@ from ropewalk.laws.wheel_rows import RECORDED
 from ropewalk.lowering import Layout
 from ropewalk.record.errors import RunError
 from ropewalk.record.files import read_json, reading
+from ropewalk.record.place import PROVENANCE
 from ropewalk.record.quantities import BY_NAME, PULLEYS, stored
 from ropewalk.record.store import (
     CHECKED,
@@ -36,10 +37,16 @@ def reads() -> str:
 
 
 class Stored:
-    """The quantities of a run folder, read when they are asked for. Every fault is a RunError."""
+    """The quantities of a run folder, read when they are asked for. Every fault is a RunError.
 
-    def __init__(self, folder: Path, scene: Scene, layout: Layout) -> None:
-        self.folder = folder
+    `started` is when the run began, by its provenance: numbers of another one, which has replaced it since,
+    are refused. Without it nobody asks.
+    """
+
+    def __init__(
+        self, folder: Path, scene: Scene, layout: Layout, started: str | None = None
+    ) -> None:
+        self.folder, self._started = folder, started
         self.root = read_json(folder / ROOT)
         version = self._check_format()
         try:
@@ -154,8 +161,21 @@ class Stored:
             return np.pad(array, ((0, 0), (0, 0), (0, missing)))
         return array.transpose(0, 2, 1) if name in BY_NAME and BY_NAME[name].swapped else array
 
+    def refuse_another(self) -> None:
+        """Raise RunError where the folder holds another run than it did when it was opened."""
+        run = self.folder.parent
+        if self._started is None or read_json(run / PROVENANCE).get("started") == self._started:
+            return
+        raise RunError(run, "holds another run by now; open it again")
+
     def read_raw(self, name: str, start: int = 0, stop: int | None = None) -> Floats:
         """Return a quantity of some frames as it was recorded: (time, axis, node) if swapped."""
+        try:
+            return self._read_raw(name, start, stop)
+        finally:  # afterwards: a run that is replaced while it is read would be told as the old one
+            self.refuse_another()
+
+    def _read_raw(self, name: str, start: int, stop: int | None) -> Floats:
         start, stop, _ = slice(start, stop).indices(self._frames)
         spec = self._specs[name]
         shape = self._stored_shape(spec)[1:]

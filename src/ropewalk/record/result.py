@@ -27,6 +27,7 @@ from ropewalk.record.parted import Parting, fault_of_partings, partings_of
 from ropewalk.record.place import EVENTS
 from ropewalk.record.point_forces import PointForces
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
+from ropewalk.record.reader import Stored
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import in_words, summary
@@ -283,7 +284,12 @@ class Result(PointForces, Outlets):
         Figures show them in orange; no number is taken from them. None of a sound run, and of one recorded
         on into its break. Raises RunError when the run folder's copy is damaged.
         """
-        return load_beyond(self.folder) if self.folder is not None else self._beyond
+        if self.folder is None:
+            return self._beyond
+        found = load_beyond(self.folder)
+        if isinstance(self.source, Stored):
+            self.source.refuse_another()
+        return found
 
     @property
     def nodes(self) -> int:

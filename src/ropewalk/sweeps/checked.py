@@ -31,6 +31,7 @@ class CheckedStore(LocalStore):
             results = [sweep.specs[name] for name in (*OF_BROKEN, STATUS)]
             results += [sweep.specs[variable.name] for variable in sweep.plan.variables]
             numbers = [rows.start // sweep.plan.batch for rows in self.unmarked]
+            self._facts = sweep.facts_state()
             self._hidden = {spec.key(number) for spec in results for number in numbers}
 
     def with_read_only(self, read_only: bool = False) -> CheckedStore:
@@ -48,10 +49,13 @@ class CheckedStore(LocalStore):
         prototype: BufferPrototype | None = None,
         byte_range: ByteRequest | None = None,
     ) -> Buffer | None:
-        """Return a file's content. Raises RunError for a chunk that is damaged."""
+        """Return a file's content. Raises RunError for a chunk that is damaged, or of another sweep."""
         if key in self._hidden:
             return None
         found: Buffer | None = await super().get(key, prototype, byte_range)
+        if self._sweep is not None and (state := self._sweep.facts_state()) != self._facts:
+            self._sweep.refuse_another()
+            self._facts = state
         if found is not None and byte_range is None and "/c." in key and self._sweep is not None:
             try:
                 opened(found.to_bytes())

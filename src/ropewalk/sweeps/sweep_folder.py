@@ -115,6 +115,21 @@ class SweepFolder:
         """Return where what was asked stands: the copy, which is there only beside the other, and that."""
         return self.folder / COPIES / FACTS, self.folder / FACTS
 
+    def facts_state(self) -> tuple[int, int]:
+        """Return what tells whether the file of what was asked has been written anew."""
+        try:
+            found = (self.folder / FACTS).stat()
+        except OSError:
+            return 0, 0
+        return found.st_ino, found.st_mtime_ns
+
+    def refuse_another(self) -> None:
+        """Raise RunError where the folder holds another sweep than it did when it was opened, or none."""
+        if not is_sweep(self.folder):
+            raise RunError(self.folder, "holds no sweep any more")
+        if read_facts(self.folder / FACTS, self.folder / COPIES / FACTS).get("id") != self.plan.id:
+            raise RunError(self.folder, "holds another sweep by now; open it again")
+
     def facts(self) -> bytes:
         """Return what was asked as its files hold it."""
         return sealed(json.dumps(self.plan.plain(), indent=1, ensure_ascii=False))

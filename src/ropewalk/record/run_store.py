@@ -1,0 +1,37 @@
+"""A Zarr store of a run folder that is read later on, which refuses another run in its place."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zarr.storage import LocalStore
+
+from ropewalk.record.reader import Stored
+
+if TYPE_CHECKING:
+    from zarr.abc.store import ByteRequest
+    from zarr.core.buffer import Buffer, BufferPrototype
+
+
+class RunStore(LocalStore):
+    """The data of a run, to be read; Zarr itself would read those of a run that has replaced it."""
+
+    def __init__(self, root: Any, *, read_only: bool = True, stored: object = None):
+        super().__init__(root, read_only=read_only)
+        self._stored = stored
+
+    def with_read_only(self, read_only: bool = False) -> RunStore:
+        """Return the same store, for reading only or not."""
+        return type(self)(self.root, read_only=read_only, stored=self._stored)
+
+    async def get(
+        self,
+        key: str,
+        prototype: BufferPrototype | None = None,
+        byte_range: ByteRequest | None = None,
+    ) -> Buffer | None:
+        """Return a file's content. Raises RunError where it is of another run by now."""
+        found: Buffer | None = await super().get(key, prototype, byte_range)
+        if isinstance(self._stored, Stored):
+            self._stored.refuse_another()
+        return found
