@@ -258,3 +258,21 @@ def test_compare_keeps_what_it_runs_when_asked(ropewalk: Any, run: Path, scene: 
     refused(ropewalk(*arguments), "study/scene: holds a run already")
     assert ropewalk(*arguments, "--overwrite").exit_code == 0
     assert set(tree(Path.cwd())) == set(before)
+
+
+def test_compare_keeps_scenes_whose_names_are_alike_apart(
+    ropewalk: Any, scene: Path, tmp_path: Path
+) -> None:
+    """With --overwrite the second one went into the folder of the first, and was compared with itself."""
+    (tmp_path / "in").mkdir()
+    text = scene.read_text().replace("duration = 0.5", "duration = 0.02")
+    for name, k in (("a b.toml", 500.0), ("a-b.toml", 400.0), ("in/a-b.toml", 300.0)):
+        (tmp_path / name).write_text(text.replace("500.0", f"{k}"))
+    names = ("a b.toml", "a-b.toml", "in/a-b.toml")
+    for _ in range(2):
+        done = ropewalk("compare", *names, "-o", "study", "--overwrite", "--json")
+        assert done.exit_code == 0, done.output
+        folders = json.loads(done.stdout)["folders"]
+        assert folders == ["study/a-b", "study/a-b-2", "study/in-a-b"]
+        made = [Result.open(folder).scene.ropes[0].made_of for folder in folders]
+        assert [one.spring_constant for one in made] == [500.0, 400.0, 300.0]

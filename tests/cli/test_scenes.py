@@ -113,6 +113,9 @@ def test_new_writes_the_preset_of_that_name(ropewalk: Any, tmp_path: Path) -> No
 def test_new_with_a_name_of_ones_own(ropewalk: Any, tmp_path: Path) -> None:
     assert ropewalk("new", 'my "long" rope').exit_code == 0
     assert load(tmp_path / "my-long-rope.toml").name == 'my "long" rope'
+    told = ropewalk("new", "plain", "-o", "my own.toml").stdout  # as it can be typed
+    assert "ropewalk check 'my own.toml'" in told
+    assert "ropewalk run 'my own.toml'" in told
     assert ropewalk("new", "bell", "--from", "r2", "-o", "deep/er/bell.toml").exit_code == 0
     made = load(tmp_path / "deep/er/bell.toml")
     assert made.name == "bell"

@@ -332,3 +332,18 @@ def test_without_salib_uncertain_runs_are_gone_on_with_to_their_bands(
         assert ("seed of the samples: 3" in done.stdout) is bands
         assert ("4 of 4 made" in done.stdout) is not bands
         assert (tmp_path / folder / "figures" / "uncertain.png").exists() is bands
+
+
+def test_one_run_is_told_as_one_and_folders_as_they_are_typed(
+    ropewalk: Call, scene: Path, tmp_path: Path
+) -> None:
+    short = rw.load(scene).replace(**{"run.duration": 0.01})
+    rw.sweep(short, {"gravity[2]": [-9.0]}, store=tmp_path / "a sweep", on="here")
+    (tmp_path / "a sweep" / "data.zarr" / "done" / "marks" / "c.0").unlink()
+    told = ropewalk("info", "a sweep").stdout
+    assert "0 of 1 run made" in told
+    assert "go on with: ropewalk resume 'a sweep'" in told
+    rw.sweep.resume(tmp_path / "a sweep", on="here")
+    told = ropewalk("info", "a sweep").stdout
+    assert "1 of 1 run made: 1 finished" in told
+    assert "of 1 run, 5 % and 95 %" in told

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.record.errors import InputError
+from ropewalk.record.errors import InputError, RunError
+from ropewalk.scene import SceneError
 from ropewalk.sweeps.calibration import NotFitted
 from ropewalk.sweeps.fit_ranges import make_scales
 from ropewalk.sweeps.identify import verdict
+from ropewalk.sweeps.measurements import as_measurements
 from sweeps.scenes import EA, rigid, swing
 
 LENGTH = "rope.length"
@@ -209,3 +212,50 @@ def test_what_a_measurement_names_that_is_not_there_has_a_sentence() -> None:
             InputError, match=rf"swing\.mode: {mode} - must be a whole number from 1"
         ):
             rw.calibrate.swing(1.0, mode=mode)
+
+
+def test_measured_numbers_are_plain_ones_and_lengths_are_lengths(tmp_path: Path) -> None:
+    sag, pull = rw.calibrate.sag, rw.calibrate.pull_test
+    for make in (
+        lambda: sag("1.2 m"),
+        lambda: sag("1.2"),
+        lambda: pull(["10 N"], [0.1]),
+        lambda: pull([10.0], [[0.1], 2.0]),
+        lambda: rw.calibrate.shape([["1 m", 2.0, 3.0]]),
+        lambda: rw.calibrate.track([[0.0, "1", 2.0, 3.0]]),
+    ):
+        with pytest.raises(InputError, match="must be plain numbers, in SI units"):
+            make()
+    for length in (-1.0, 0.0, "1 kg", math.nan):
+        with pytest.raises(SceneError, match=r"pull_test\.length: .* - (must be a|is of another)"):
+            pull([10.0], [0.1], length=length)
+    rope = swing(0.02)
+    (short,) = pull([100.0], [0.1], length="50 cm").predicted({}, {}, rope)
+    assert short == pytest.approx(100.0 * 0.5 / rope.ropes[0].made_of.EA)
+    (tmp_path / "t.csv").write_bytes("time,x\n0,1\n# gr\u00f6\u00dfer\n".encode("latin-1"))
+    with pytest.raises(RunError, match=r"t\.csv: is not a text file \(UTF-8\)"):
+        rw.calibrate.track(tmp_path / "t.csv")
+
+
+def test_a_list_of_two_is_no_value_with_its_error() -> None:
+    with pytest.raises(InputError, match=r"write \(120.0, 2.0\) for a value and its error, or "):
+        as_measurements({"tension.max": [120.0, 2.0]})
+    (one,) = as_measurements({"tension.max": (120.0, 2.0)})
+    assert (one.values.tolist(), one.error) == ([120.0], 2.0)
+    (two,) = as_measurements({"tension.max": ([120.0, 2.0], None)})
+    assert (two.values.tolist(), two.error) == ([120.0, 2.0], None)
+
+
+def test_ranges_of_a_fit_may_have_units() -> None:
+    made = make_scales(swing(0.02), {EA: ("200 N", "5 kN"), LENGTH: (1.5, "250 cm")})
+    assert (made[EA].low, made[EA].high) == (200.0, 5000.0)
+    assert (made[LENGTH].low, made[LENGTH].high) == (1.5, 2.5)
+    with pytest.raises(SceneError, match=r"EA: \"200 m\" - is of another kind"):
+        make_scales(swing(0.02), {EA: ("200 m", "5 kN")})
+
+
+def test_all_positions_may_be_measured_at_once() -> None:
+    places = np.arange(15.0).reshape(5, 3)
+    measured = rw.calibrate.kept("positions[-1]", places)
+    found = measured.predicted({measured.variable: places[None]}, {}, swing(0.02))  # type: ignore[attr-defined]
+    assert (found == measured.values).all()

@@ -331,3 +331,23 @@ def test_exact_steps_between_the_corners_have_frames_of_their_own() -> None:
     assert dims(exact, {EA: [1e3, 1.5e3, 2e3]}) == ("time",)
     times = {alone(exact, time_step=step).time[-1] for step in (0.001, 0.0011, 0.002)}
     assert len(times) == 2  # it is so
+
+
+def test_the_ends_of_a_distribution_are_told() -> None:
+    """The second number of scipy's uniform is a width."""
+    for text, told in (
+        ("uniform(3, 3.5)", "uniform(3.0, 3.5): 3 to 6.5"),
+        ("truncnorm(-2, 2, 100, 5)", "truncnorm(-2.0, 2.0, 100.0, 5.0): 90 to 110"),
+        ("norm(3, 0.1)", "norm(3.0, 0.1)"),
+        ("gamma(2, 3, 1)", "gamma(2.0, 3.0, 1.0)"),
+    ):
+        (made,) = make_parameters(swing(), dict([parse_vary(f"rope.length={text}")]))
+        assert made.described()["spread"] == told
+
+
+def test_of_values_that_must_be_whole_only_those_that_are_not_are_refused() -> None:
+    with pytest.raises(SceneError) as caught:
+        make_parameters(swing(), {"rope.segments": [3, 4.5, 5.0, 6.25]})
+    assert [(fault.path, fault.value) for fault in caught.value.faults] == [
+        ("rope.segments", 4.5), ("rope.segments", 6.25)
+    ]  # fmt: skip

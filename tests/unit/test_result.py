@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import warnings
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -298,3 +300,19 @@ def test_numbers_of_another_run_are_refused_where_it_has_replaced_the_one_that_w
     again = rw.open(tmp_path / "run")
     assert again.beyond is None
     assert again.dataset["tension"].values.tolist() == again.tension.tolist()
+
+
+@pytest.mark.parametrize("count", [-3, 1.5, True, "2"])
+def test_what_is_no_count_of_steps_or_frames_is_refused(count: Any) -> None:
+    """-3 steps turned the clock back, and 1.5 were one."""
+    simulation = rw.Simulation(runs.hanging(duration=0.05, segments=2))
+    for name, advance in (
+        ("steps", simulation.advance_steps),
+        ("frames", simulation.advance_frames),
+    ):
+        rule = f"{name}: {count!r} - must be a whole number from 0 on"
+        with pytest.raises(ValueError, match=re.escape(rule)):
+            advance(count)
+    assert simulation.time == 0.0
+    simulation.advance_steps(np.int64(2))
+    assert simulation.time == pytest.approx(2.0 * simulation.plan.dt)

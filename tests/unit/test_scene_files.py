@@ -193,11 +193,50 @@ def test_units_in_a_comment_are_checked_as_in_a_header(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("head", "absent"),
+    [
+        ("# t [ms],x [mm],y [mm],z [mm]", "time"),  # was taken as seconds and metres
+        ("# x, y, z, t", "time"),  # in another order
+        ("# t [s];a [m];b [m];c [m]", "time, x, y, z"),
+        ("# made at noon\n# all in [mm]", "time, x, y, z"),
+    ],
+)
+def test_a_comment_that_is_half_a_header_is_refused(tmp_path: Path, head: str, absent: str) -> None:
+    (tmp_path / "moves.csv").write_text(f"{head}\n0,0,0,0\n1000,5,0,0\n")
+    (tmp_path / "scene.toml").write_text(TABLE)
+    line = 1 + head.count("\n")
+    assert f"line {line}: no column {absent}; the columns" in message(tmp_path / "scene.toml")
+
+
+@pytest.mark.parametrize("head", ["# a rope (12 m), at rest (left end)", "# in [m], all", "# x"])
+def test_comments_in_words_are_passed_over(tmp_path: Path, head: str) -> None:
+    (tmp_path / "moves.csv").write_text(f"{head}\n0,0,0,0\n1,0.5,0,0\n")
+    (tmp_path / "scene.toml").write_text(TABLE)
+    motion = load(tmp_path / "scene.toml").anchors[0].motion
+    assert motion == Table(times=[0, 1], positions=[(0, 0, 0), (0.5, 0, 0)])
+
+
+@pytest.mark.parametrize(
     ("csv", "lines"),
     [
         ("", ["has no rows"]),
         ("x,y,z\n", ["has a header but no rows"]),
         ("x,y\n0,0\n", ["line 1: no column z; the columns must be x, y, z"]),
+        (
+            "0 0 0\n1 0 0\n",
+            [
+                "line 1: no column x, y, z; the columns must be x, y, z, with commas, semicolons or "
+                "tabs between them"
+            ],
+        ),
+        (
+            "0,0;0;0,0\n1,5;0;0\n",
+            [
+                f'line {line}, column {axis}: "{cell}" - must be a finite number, with a point for the '
+                "decimals"
+                for line, axis, cell in ((1, "x", "0,0"), (1, "z", "0,0"), (2, "x", "1,5"))
+            ],
+        ),
         ("x,y,z\n0,0,0\n1,,0\n2,0,0\n", ["line 3, column y: the cell is missing"]),
         ("0,0,0\n1,0\n2,0,0\n", ["line 2, column z: the cell is missing"]),
         (
@@ -327,3 +366,21 @@ def test_every_field_is_described_and_every_number_has_a_unit() -> None:
             numeric = re.search(r"\bfloat\b", annotation) and not kind_of(field).models
             if numeric:
                 assert (field.json_schema_extra or {}).get("unit"), f"{path}.{key}"
+
+
+@pytest.mark.parametrize("number", [".5", "5.", "-.5", "+.5", "[.5, 1.0, 2.0]", "5.e3"])
+def test_numbers_without_a_digit_at_their_point_are_told(number: str) -> None:
+    with pytest.raises(SceneFileError) as caught:
+        loads(ROPE + f"length = {number}\n")
+    said = "a number has a digit before its point and one after it, such as 0.5 or 5.0"
+    assert said in str(caught.value)
+    with pytest.raises(SceneFileError) as caught:
+        loads(ROPE + "name = 1.2.3\n")
+    assert said not in str(caught.value)
+
+
+def test_what_cannot_be_saved_leaves_nothing_behind(tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    with pytest.raises(SceneFileError, match="folder: cannot be written"):
+        save(loads(ROPE), tmp_path / "folder")
+    assert [path.name for path in tmp_path.iterdir()] == ["folder"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -18,8 +19,10 @@ from ropewalk.scene import (
     SceneError,
     Springs,
     Straight,
+    Table,
     Velocity,
     Winch,
+    loads,
 )
 from ropewalk.simulation import Simulation
 
@@ -193,3 +196,51 @@ def test_the_scene_lists_the_methods_that_there_are() -> None:
     from ropewalk.methods.registry import METHODS
 
     assert set(get_args(Method)) == {*METHODS, "auto"}
+
+
+MADE_OF = '{ kind = "springs", spring_constant = 100, node_mass = 0.1, segment_length = 1.0 }'
+
+
+@pytest.mark.parametrize(
+    ("wrong", "said", "right"),
+    [
+        (
+            "[rope.load]\nnode = 1\nmass = 1.0\n",
+            "write [[rope.load]], not [rope.load]",
+            "[[rope.load]]\nnode = 1\nmass = 1.0\n",
+        ),
+        (
+            '[[rope.shape]]\nkind = "straight"\n',
+            "write [rope.shape], not [[rope.shape]]",
+            '[rope.shape]\nkind = "straight"\n',
+        ),
+    ],
+)
+def test_headers_that_are_advised_are_toml(wrong: str, said: str, right: str) -> None:
+    rope = f"[[rope]]\nsegments = 2\nmade_of = {MADE_OF}\n"
+    with pytest.raises(SceneError) as caught:
+        loads(rope + wrong)
+    assert said in str(caught.value)
+    assert loads(rope + right).ropes[0].segments == 2
+
+
+def test_the_width_that_is_advised_for_a_slack_rope_is_enough() -> None:
+    """Six figures of 1e-6 times the length: those of the nearest were too few."""
+    text = (
+        "[[rope]]\nsegments = 2\nlength = 300.554321\n"
+        'made_of = { kind = "material", EA = 1000.0, mass_per_length = 0.1 }\n'
+        'shape = { kind = "slack", end = [WIDTH, 0.0, 1.0] }\n'
+    )
+    with pytest.raises(SceneError) as caught:
+        loads(text.replace("WIDTH", "0.0"))
+    found = re.search(r"at least (\S+) m aside", str(caught.value))
+    assert found is not None
+    assert found[1] == "0.000300555"
+    assert loads(text.replace("WIDTH", found[1])).ropes[0].segments == 2
+
+
+def test_a_table_of_no_times_is_told_as_empty_not_as_missing() -> None:
+    with pytest.raises(SceneError, match=r"times: \[\] - is empty: give times and positions"):
+        Table(times=np.array([]), positions=np.zeros((0, 3)))
+    with pytest.raises(SceneError, match="times: missing - give times and positions, or file"):
+        Table(positions=[(0.0, 0.0, 0.0)])

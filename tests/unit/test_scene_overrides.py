@@ -289,3 +289,13 @@ def test_a_part_that_was_set_to_something_else_before(changes: tuple[str, ...], 
 def test_a_number_of_too_many_digits() -> None:
     with pytest.raises(SceneError, match="must be a whole number"):
         apply_overrides(ONE, ["rope.segments=" + "9" * 5000])
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [(".5", 0.5), ("5.", 5.0), ("-.5", -0.5), ("+.5", 0.5), ("5.e-1", 0.5)]
+)
+def test_numbers_are_taken_as_they_are_typed(text: str, value: float) -> None:
+    """TOML has none without a digit on both sides of the point."""
+    found = apply_overrides(ONE, [f"rope.shape.start[2]={text}"]).ropes[0].shape
+    assert isinstance(found, Straight)
+    assert found.start[2] == value

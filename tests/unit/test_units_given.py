@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pint
 import pytest
 from click.testing import CliRunner
@@ -15,7 +16,7 @@ from click.testing import CliRunner
 import ropewalk as rw
 import ropewalk.scene as scene_module
 from ropewalk.cli import main
-from ropewalk.scene import Kick, Points, Shake, apply_overrides, dumps, loads
+from ropewalk.scene import Kick, Points, SceneError, Shake, apply_overrides, dumps, loads
 from ropewalk.scene.as_given import as_given
 from ropewalk.scene.units import WrongUnit, in_unit
 
@@ -222,6 +223,9 @@ def test_quantities_of_a_file_are_shown_as_they_were_given(tmp_path: Path) -> No
     sheet = rw.sheet(file, run=False, convergence=False)
     assert "30 ft" in str(sheet.section("As given"))
     assert as_given("r4", rw.preset("r4")) == []
+    plain = as_given(file, loads(TEXT))
+    file.write_text(TEXT, encoding="utf-8-sig")  # as some editors begin a file
+    assert as_given(file, loads(TEXT)) == plain
     with pytest.raises(KeyError, match="As given"):
         rw.sheet("hanging-rope", run=False, convergence=False).section("As given")
 
@@ -258,3 +262,19 @@ def test_quantities_of_flags_are_shown_as_they_were_given(tmp_path: Path) -> Non
         main, [*asked, str(tmp_path / "a.html"), "--set", "rope.length=40 ft"]
     )
     assert "40 ft" in told.stdout
+
+
+@pytest.mark.parametrize("kind", [np.int64, np.float32, np.float64, np.array])
+def test_numbers_of_numpy_are_numbers(kind: Any) -> None:
+    """Whole ones, short ones and arrays of no dimension were "no number"."""
+    made = rw.Material.from_elongation(kind(800), "8 %", 0.0625)
+    assert rw.Material.from_elongation(800, "8 %", 0.0625) == made
+    assert rw.Material.from_break(50000.0, kind(1) * 0.25, 0.0625).EA == 2e5
+    line = rw.line(kind(100), kind(-5), made, sag=kind(4), gravity=kind(10))
+    assert line == rw.line(100, -5, made, sag=4, gravity=10)
+    assert rw.line(100, 0, made, pretension=kind(500)) == rw.line(100, 0, made, pretension=500)
+    rolled = line.rolling(kind(80), places=np.int64(3))
+    assert rolled.sag.tolist() == line.rolling(80, places=3).sag.tolist()
+    for wrong in (kind(-3), np.bool_(True)):
+        with pytest.raises(SceneError, match=r"span: (-3|-3\.0|true) - must be a number of m"):
+            rw.line(wrong, 0, made, sag=1.0)

@@ -141,7 +141,7 @@ def make_dataset(result: Result) -> RunDataset:
     if result.folder is not None:
         from ropewalk.record.run_store import RunStore
 
-        store = RunStore(result.folder / DATA, stored=result.source)
+        store = RunStore(result.folder / DATA, source=result.source)
         stored: xr.Dataset = xr.open_zarr(store, chunks=None)
         books = [name for name in ("work", CONTACT_WORK) if name in stored]
         works = {

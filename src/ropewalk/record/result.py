@@ -27,7 +27,6 @@ from ropewalk.record.parted import Parting, fault_of_partings, partings_of
 from ropewalk.record.place import EVENTS
 from ropewalk.record.point_forces import PointForces
 from ropewalk.record.quantities import has_rope, labels, rest_length_at_start
-from ropewalk.record.reader import Stored
 from ropewalk.record.rope_view import RopeView
 from ropewalk.record.source import Source
 from ropewalk.record.summary import in_words, summary
@@ -287,8 +286,7 @@ class Result(PointForces, Outlets):
         if self.folder is None:
             return self._beyond
         found = load_beyond(self.folder)
-        if isinstance(self.source, Stored):
-            self.source.refuse_another()
+        self.source.refuse_another()
         return found
 
     @property

@@ -23,6 +23,7 @@ from ropewalk.record.simulate import Explain, Progress, Runner, no_explanation
 from ropewalk.record.store import FORMAT, Writer
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
+from ropewalk.words.shell import typed
 
 
 def resume_run(
@@ -80,7 +81,7 @@ def _check_open(folder: Path, facts: Facts) -> None:
         raise RunError(folder, "is of an older format, which can be read but not gone on with")
     if facts.provenance.get("live"):
         whole = session_folder(folder)
-        rule = f"is of a live session, which goes on with: ropewalk view {whole} --continue"
+        rule = f"is of a live session, which goes on with: ropewalk view {typed(whole)} --continue"
         raise RunError(folder, rule)
     if facts.status == FINISHED:
         raise RunError(folder, "is finished: there is nothing to resume")

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zarr.storage import LocalStore
 
-from ropewalk.record.reader import Stored
+from ropewalk.record.source import Source
 
 if TYPE_CHECKING:
     from zarr.abc.store import ByteRequest
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 class RunStore(LocalStore):
     """The data of a run, to be read; Zarr itself would read those of a run that has replaced it."""
 
-    def __init__(self, root: Any, *, read_only: bool = True, stored: object = None):
+    def __init__(self, root: Any, *, read_only: bool = True, source: Source | None = None):
         super().__init__(root, read_only=read_only)
-        self._stored = stored
+        self._source = source
 
     def with_read_only(self, read_only: bool = False) -> RunStore:
         """Return the same store, for reading only or not."""
-        return type(self)(self.root, read_only=read_only, stored=self._stored)
+        return type(self)(self.root, read_only=read_only, source=self._source)
 
     async def get(
         self,
@@ -32,6 +32,6 @@ class RunStore(LocalStore):
     ) -> Buffer | None:
         """Return a file's content. Raises RunError where it is of another run by now."""
         found: Buffer | None = await super().get(key, prototype, byte_range)
-        if isinstance(self._stored, Stored):
-            self._stored.refuse_another()
+        if self._source is not None:
+            self._source.refuse_another()
         return found

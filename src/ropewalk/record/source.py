@@ -33,6 +33,10 @@ class Source(Protocol):
         """Return a quantity (or `time`) of some frames, with the dimensions of its Quantity."""
         ...
 
+    def refuse_another(self) -> None:
+        """Raise RunError where the numbers on disk are of another run by now."""
+        ...
+
 
 class Memory:
     """Blocks of frames in memory, each quantity joined when it is first asked for."""
@@ -67,6 +71,9 @@ class Memory:
         if name != "time" and BY_NAME[name].swapped:
             array = array.transpose(0, 2, 1)
         return array[start:stop]
+
+    def refuse_another(self) -> None:
+        """Do nothing: what is in memory stays."""
 
 
 __all__ = ["Memory", "Source"]

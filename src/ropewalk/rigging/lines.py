@@ -24,6 +24,7 @@ from ropewalk.scene import (
     Slack,
     Straight,
 )
+from ropewalk.scene.base import in_python
 from ropewalk.scene.faults import MISSING, NO_VALUE
 from ropewalk.scene.from_library import entry
 from ropewalk.scene.units import WrongUnit, in_unit
@@ -136,6 +137,7 @@ class Line:
 
         found = quantity("mass", mass, "kg")
         if at is None:
+            places = in_python(places)
             if isinstance(places, bool) or not isinstance(places, int) or places < 1:
                 raise ValueError(f"places: {places!r} - must be a whole number, 1 or more")
             at = self.span * np.arange(1, places + 1) / (places + 1)
@@ -237,7 +239,7 @@ def line(
     d = quantity("diameter", diameter, "m") if diameter is not None else own
     g = quantity("gravity", gravity, "m/s^2")
     ways = {"sag": sag, "pretension": pretension, "length": length}
-    known = {name: value for name, value in ways.items() if value is not None}
+    known = {name: in_python(value) for name, value in ways.items() if value is not None}
     if len(known) != 1:
         rule = "give one of sag, pretension and length"
         named = ", ".join(known) or "sag, pretension, length"
@@ -301,8 +303,7 @@ def _hung(
         _refuse_length(wanted, shortest, chord, math.isinf(material.EA), given)
         return hung(wanted), f"length {wanted:.6g} m"
     if way == "sag":
-        longest = _SLACKEST * chord
-        found = _bisected(wanted, lambda size: hung(size).sag, shortest, longest)
+        found = _bisected(wanted, lambda size: hung(size).sag, shortest, _SLACKEST * chord)
         return hung(_within(way, found, given, "m")), f"sag {wanted:.4g} m"
     found = _bisected(wanted, pull, shortest, _slackest(pull, shortest, chord))
     return hung(_within(way, found, given, "N")), f"pretension {force(wanted)} at the first end"
@@ -325,12 +326,11 @@ def _made_of(rope: Any) -> tuple[Material, float | None, LibraryRope | None]:
 
 def quantity(name: str, value: Any, unit: str, *, any_sign: bool = False) -> float:
     """Return a number, or a text with a unit, as a number of `unit`. Raises SceneError for others."""
+    value = in_python(value)
     number = in_unit(value, unit)
     if isinstance(number, WrongUnit):
         raise SceneError([Fault(name, number.given, number.rule)])
-    rule = (
-        f"must be a number of {unit}" if any_sign else f"must be a number of {unit} greater than 0"
-    )
+    rule = f"must be a number of {unit}" + ("" if any_sign else " greater than 0")
     if isinstance(number, bool) or not isinstance(number, int | float) or not abs(number) < 1e12:
         raise SceneError([Fault(name, value, rule)])
     if not any_sign and number <= 0.0:

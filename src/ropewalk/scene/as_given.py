@@ -38,7 +38,7 @@ def as_given(file: str | Path, scene: Scene, flags: Iterable[str] = ()) -> list[
         flags: that changed it, as `apply_overrides` takes them.
     """
     try:
-        table = tomllib.loads(Path(file).read_text(encoding="utf-8"))
+        table = tomllib.loads(Path(file).read_text(encoding="utf-8-sig"))
     except (OSError, ValueError):
         table = {}
     pairs = [flag.partition("=")[::2] for flag in flags]

@@ -15,6 +15,7 @@ from ropewalk.scene.rope import Material, Rope, node_range
 from ropewalk.scene.shapes import Slack
 from ropewalk.scene.winch import Winch
 from ropewalk.words.nearest import nearest
+from ropewalk.words.safe_side import rounded_down, rounded_up
 
 #: A catenary's ends must be apart across gravity by this fraction of the rope's length.
 _LEAST_WIDTH = 1e-6
@@ -120,7 +121,8 @@ def _slack(gravity: Sequence[float], ropes: Sequence[Rope | None]) -> Iterator[F
         width = math.hypot(*(a - rise * b for a, b in zip(step, up, strict=True)))
         sags = shape.sag is not None or length > shape.span * (1 + 1e-9)
         if sags and width < _LEAST_WIDTH * length:
-            rule = f"must be at least {_LEAST_WIDTH * length:g} m aside from start, across gravity"
+            least = rounded_up(_LEAST_WIDTH * length, 6)
+            rule = f"must be at least {least} m aside from start, across gravity"
             yield Fault(f"rope[{i}].shape.end", shape.end, rule)
 
 
@@ -238,7 +240,7 @@ def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
         yield Fault("max_length", winch.max_length, rule)
     most = MOST_ON_DRUM * rope.segment_length
     if winch.on_drum is not None and winch.on_drum > most:
-        rule = f"must be at most {most:g} m, a million segments of this rope"
+        rule = f"must be at most {rounded_down(most, 6)} m, a million segments of this rope"
         yield Fault("on_drum", winch.on_drum, rule)
 
 

@@ -49,7 +49,12 @@ def read_columns(
     names = list(units)
     if not _has_all(names, rows[0][1]):
         heads = [(number, _cells(line, _delimiter(line))) for number, line in reversed(comments)]
-        rows = [head for head in heads if _has_all(names, head[1])][:1] + rows
+        found = [head for head in heads if _has_all(names, head[1])][:1]
+        if not found and _is_numbers(rows[0][1]):
+            for number, cells in heads:
+                if _names_columns(cells, units, len(rows[0][1])):
+                    _refuse_absent(file, number, cells, names)
+        rows = found + rows
     order = _header(file, rows[0], names)
     width = len(rows[0][1])
     factors = [1.0] * len(names)
@@ -80,7 +85,9 @@ def _lines(text: str) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
 
 
 def _delimiter(line: str) -> str:
-    return max(",;\t", key=line.count)
+    """The sign between a line's cells; commas between semicolons or tabs are those of decimals."""
+    other = max(";\t", key=line.count)
+    return other if line.count(other) and line.count(",") <= line.count(other) + 1 else ","
 
 
 def _cells(line: str, delimiter: str) -> list[str]:
@@ -89,7 +96,7 @@ def _cells(line: str, delimiter: str) -> list[str]:
 
 def _titles(cells: Sequence[str]) -> list[str]:
     """The names of columns in the cells of a header, without their units."""
-    return [cell.split("[")[0].split("(")[0].strip().lower() for cell in cells]
+    return [re.split(r"[\[(:]", cell)[0].strip().lower() for cell in cells]
 
 
 def _has_all(names: Sequence[str], cells: Sequence[str]) -> bool:
@@ -123,15 +130,45 @@ def _text(folder: Path, file: str) -> str:
 def _header(file: str, row: tuple[int, list[str]], names: Sequence[str]) -> list[int] | None:
     """The place of each wanted column, or None when the first row is numbers already."""
     number, cells = row
-    if any(_number(cell) is not None for cell in cells):
+    if _is_numbers(cells):
         return None
+    _refuse_absent(file, number, cells, names)
+    titles = _titles(cells)
+    return [titles.index(name) for name in names]
+
+
+def _is_numbers(cells: Sequence[str]) -> bool:
+    """Whether a row has a number in it, be it with a comma for the decimals: a header has none."""
+    return any(_number(cell.replace(",", ".")) is not None for cell in cells)
+
+
+def _refuse_absent(file: str, number: int, cells: Sequence[str], names: Sequence[str]) -> None:
+    """Refuse a header, of line `number`, that lacks columns."""
     titles = _titles(cells)
     absent = [name for name in names if name not in titles]
     if absent:
-        columns = ", ".join(names)
-        rule = f"line {number}: no column {', '.join(absent)}; the columns must be {columns}"
-        refuse([Fault("file", file, rule)])
-    return [titles.index(name) for name in names]
+        rule = (
+            f"line {number}: no column {', '.join(absent)}; the columns must be {', '.join(names)}"
+        )
+        between = ", with commas, semicolons or tabs between them" if len(cells) == 1 else ""
+        refuse([Fault("file", file, rule + between)])
+
+
+def _names_columns(cells: Sequence[str], units: Mapping[str, str], width: int) -> bool:
+    """Whether a comment is meant as a header of `width` columns, by names of columns or units in brackets."""
+    if len(set(units) & set(_titles(cells))) > 1:
+        return True
+    factors = [_factor(cell, unit) for cell in cells for unit in {*units.values()}]
+    known = [factor for factor in factors if factor is not None]
+    return bool(known) and (len(cells) == width or any(factor != 1.0 for factor in known))
+
+
+def _factor(cell: str, unit: str) -> float | None:
+    """By how much the unit in a cell's brackets is greater than `unit`; None of none, or another kind."""
+    given = _IN_BRACKETS.search(cell)
+    text = given[1].strip() if given else ""
+    factor = None if text in _PLAIN else in_unit(f"1 {text}", unit)
+    return factor if isinstance(factor, float) else None
 
 
 def _factors(

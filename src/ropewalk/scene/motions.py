@@ -85,6 +85,8 @@ class Table(Model):
     def _check(self) -> Table:
         if not self.times or not self.positions:
             absent = "positions" if self.times else "times"
+            if absent in self.model_fields_set:
+                refuse([Fault(absent, [], "is empty: give times and positions, or file")])
             refuse([Fault(absent, MISSING, "give times and positions, or file")])
         faults = time_faults(self.times)
         if len(self.times) != len(self.positions):

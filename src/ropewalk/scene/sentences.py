@@ -150,16 +150,23 @@ def _one_of(context: Mapping[str, Any], where: Place, value: Any) -> str:
     return f"{rule}; {close}" if close.startswith("did") else rule
 
 
+def _header(where: Place) -> str:
+    """How the header of a table names a place: without the numbers of list items."""
+    return re.sub(r"\[\d+\]", "", where.path)
+
+
 def _table(_: Mapping[str, Any], where: Place, value: Any) -> str:
     if isinstance(value, (list, tuple)):
-        return f"must be one table: write [{where.path}], not [[{where.path}]]"
+        header = _header(where)
+        return f"must be one table: write [{header}], not [[{header}]]"
     return "must be a table of keys and values"
 
 
 def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
     field = where.field
     if field is not None and kind_of(field).models:
-        return f"must be a list of tables: write [[{where.path}]], not [{where.path}]"
+        header = _header(where)
+        return f"must be a list of tables: write [[{header}]], not [{header}]"
     return f"must be a list{_unit(where)}"
 
 

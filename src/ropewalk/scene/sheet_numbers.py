@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ropewalk.scene.base import in_python
 from ropewalk.scene.faults import Fault, SceneError
 from ropewalk.scene.units import WrongUnit, in_unit
 
@@ -23,7 +24,7 @@ def given(
 
     Args:
         name: what a refusal calls it.
-        value: a number, a text such as "12 mm", or pint's quantity.
+        value: a number, also of numpy, a text such as "12 mm", or pint's quantity.
         unit: that is returned.
         zero: 0 will do, too.
         most: largest number that can be meant.
@@ -31,6 +32,7 @@ def given(
 
     Raises SceneError unless it is greater than zero and at most `most`.
     """
+    value = in_python(value)
     number = in_unit(value, unit)
     if isinstance(number, WrongUnit):
         raise SceneError([Fault(name, number.given, number.rule)])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import tomllib
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,8 @@ from ropewalk.scene.units import TEXT_SCHEMA
 
 #: A list of three numbers, which tomli_w writes on five lines. Texts hold no line breaks there.
 _NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
+#: Numbers that TOML has not, and people type.
+_SHORT_NUMBER = re.compile(r"[+-]?(?:\d+\.|\.\d+)(?:[eE][+-]?\d+)?")
 #: No scene is larger; a file that is, is something else.
 _LARGEST_FILE = 500_000_000
 
@@ -59,11 +62,13 @@ def save(scene: Scene, path: str | Path) -> None:
     """
     path = Path(path)
     text = dumps(scene)
+    partial = path.with_name(path.name + ".partial")
     try:
-        partial = path.with_name(path.name + ".partial")
         partial.write_text(text, encoding="utf-8", newline="\n")
         partial.replace(path)
     except OSError as error:
+        with suppress(OSError):
+            partial.unlink()
         reason = f"cannot be written: {error.strerror or error}"
         raise SceneFileError([Fault("", NO_VALUE, reason)], str(path)) from None
 
@@ -181,6 +186,15 @@ def _in_words(message: str) -> str:
     return _WORDS.get(message, message)
 
 
+def _is_short_number(lines: list[str], column: int) -> bool:
+    """Whether a number such as .5 or 5. begins, or goes on, at a column of the first line."""
+    line = lines[0] if lines else ""
+    before, rest = line[:column][-1:], line[column:]
+    if before.isdigit():
+        return re.match(r"\.(?!\d)", rest) is not None
+    return re.match(r"[+-]?\.\d", rest) is not None
+
+
 def _syntax(text: str, error: Exception) -> Fault:
     """A TOML syntax error as a fault whose path is the line and column."""
     if "\0" in text:
@@ -191,7 +205,10 @@ def _syntax(text: str, error: Exception) -> Fault:
     found = re.search(r" \(at line (\d+), column (\d+)\)$", message)
     if found:
         place = f"line {found[1]}, column {found[2]}"
-        return Fault(place, NO_VALUE, f"TOML: {_in_words(message[: found.start()])}")
+        words = _in_words(message[: found.start()])
+        if _is_short_number(text.splitlines()[int(found[1]) - 1 :], int(found[2]) - 1):
+            words = "a number has a digit before its point and one after it, such as 0.5 or 5.0"
+        return Fault(place, NO_VALUE, f"TOML: {words}")
     if not isinstance(error, tomllib.TOMLDecodeError):
         long = re.search(r"\d[\d_]{4000,}", text)
         line = text.count("\n", 0, long.start()) + 1 if long else 1
@@ -204,7 +221,9 @@ def _syntax(text: str, error: Exception) -> Fault:
 
 
 def as_value(text: str) -> Any:
-    """The value that a text stands for: TOML where it is, else the text itself."""
+    """The value that a text stands for: TOML where it is, or a number such as .5, else the text itself."""
+    if _SHORT_NUMBER.fullmatch(text):
+        return float(text)
     try:
         table = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):  # ValueError: also of numbers with too many digits

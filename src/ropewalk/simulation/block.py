@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -40,6 +41,7 @@ class Block:
 
 def make_frames(state: State, frames: int, lengths: bool) -> Recording:
     """Return buffers for frames, those with numbers of every node or segment in one piece of memory."""
+    refuse_unless_count("frames", frames)
     return make_recording(state, frames, lengths, Room(frames, state.x.shape[1]))
 
 
@@ -56,3 +58,10 @@ def join_parts(blocks: list[Block]) -> list[Floats | None]:
     columns = [[block.pairs for block in blocks], [block.obstacles for block in blocks]]
     there = [[part for part in column if part is not None] for column in columns]
     return [np.concatenate(parts) if parts else None for parts in there]
+
+
+def refuse_unless_count(name: str, value: Any) -> None:
+    """Raise ValueError for anything but a whole number from 0 on: less would turn the clock back."""
+    whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    if not whole or value < 0:
+        raise ValueError(f"{name}: {value!r} - must be a whole number from 0 on")

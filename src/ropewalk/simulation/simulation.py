@@ -30,7 +30,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.methods.scratch import make_look
 from ropewalk.methods.watch import look_now
 from ropewalk.scene import Scene
-from ropewalk.simulation.block import Block, make_frames
+from ropewalk.simulation.block import Block, make_frames, refuse_unless_count
 from ropewalk.simulation.rope_contacts import on_obstacles, one_by_one, rope_contacts
 from ropewalk.simulation.snapshot import Snapshot
 from ropewalk.words.annotations import unquoted
@@ -44,7 +44,6 @@ _ROUNDING = 1e-12  # [1]
 _VIEW = "ropewalk.live.view"  # a layer above this one, so it is looked up when it is needed
 BLOCK_BYTES = 16_000_000  # positions and velocities of one block of frames
 LONGEST_BLOCK = 2048  # frames
-
 
 #: What a Simulation offers to those who step it; `dir` shows these alone.
 PUBLIC = (
@@ -226,6 +225,7 @@ class Simulation(Driven):
 
         `failure` then says where an implicit method found no solution; the state is that before.
         """
+        refuse_unless_count("steps", steps)
         self._forget_break()
         self._set_off(steps * self._dt)
         status = self._advance(steps, 1, make_recording(self._state, 0, False))[0]

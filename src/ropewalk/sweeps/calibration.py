@@ -202,7 +202,8 @@ def calibrate(
     Args:
         scene: scene, preset's name, or scene file: how it was measured.
         measured: one or several of `rw.calibrate.sag`, `shape`, `pull_test`, `droop`, `swing`, `track` and
-            `kept`, or a mapping from what a sweep keeps to (values, error).
+            `kept`, or a mapping from what a sweep keeps to (values, error); a list of two numbers is refused
+            there, as it may be two values: ([120.0, 121.0], None).
         ranges: by path, (low, high); far apart ones are searched by factors.
         level: of the intervals [1].
         starts: places to start from besides the scene's own values, made the next power of two; the best

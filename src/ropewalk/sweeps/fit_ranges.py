@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 
 from ropewalk.scene import Scene, SceneError
+from ropewalk.scene.base import unit_of
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places
+from ropewalk.sweeps.parameters import without_units
 
 _LOGARITHMIC = 20.0  # ends this far apart are searched by factors
 
@@ -49,7 +51,10 @@ def make_scales(scene: Scene, ranges: Mapping[str, Any]) -> dict[str, Scale]:
     made = {}
     for path, pair in ranges.items():
         try:
-            low, high = (float(value) for value in pair)
+            low, high = (float(value) for value in without_units(path, pair, _unit(scene, path)))
+        except SceneError as error:
+            faults += error.faults
+            continue
         except (TypeError, ValueError):
             faults.append(Fault(path, str(pair), "must be a range (low, high)"))
             continue
@@ -63,6 +68,11 @@ def make_scales(scene: Scene, ranges: Mapping[str, Any]) -> dict[str, Scale]:
     if faults:
         raise SceneError(faults)
     return made
+
+
+def _unit(scene: Scene, path: str) -> str:
+    """Return the unit of what a path leads to, "" of what has none. Raises SceneError of a wrong path."""
+    return unit_of(Places(scene, [path]).field(0)[0]) or ""
 
 
 def _refused(scene: Scene, path: str, scale: Scale) -> list[Fault]:

@@ -19,6 +19,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.lowering import build
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.scene import Material, Scene
+from ropewalk.scene.sheet_numbers import given
 from ropewalk.sweeps.keep import parse
 from ropewalk.sweeps.whole import refuse_unless_whole
 from ropewalk.words.nearest import nearest
@@ -46,8 +47,19 @@ class Measurement:
         raise NotImplementedError
 
 
+def _array(name: str, values: ArrayLike) -> Floats:
+    """Return plain numbers as an array. Raises InputError for texts, and for numbers with units."""
+    try:
+        found = np.asarray(values)
+        if found.dtype.kind in "biuf" and not hasattr(values, "dimensionality"):
+            return found.astype(np.float64)
+    except (TypeError, ValueError):
+        pass
+    raise InputError(name, values, "must be plain numbers, in SI units")
+
+
 def _numbers(name: str, values: ArrayLike) -> Floats:
-    found = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    found = np.atleast_1d(_array(name, values))
     if not found.size or not np.isfinite(found).all():
         raise InputError(name, values, "must be finite numbers, at least one")
     return found
@@ -89,7 +101,7 @@ def kept(
     """
     asked = parse(what)
     keep, at_rest = ((), (what,)) if rest else ((what,), ())
-    found = _numbers(what, values)
+    found = np.ravel(_numbers(what, values))
     return _Kept(what, asked.unit, found, _error(what, error), keep, at_rest, variable=asked.name)
 
 
@@ -137,7 +149,8 @@ class _PullTest(Measurement):
         if not isinstance(rope.made_of, Material):
             raise InputError("pull_test", rope.name, "needs a rope of a material (EA)")
         assert self.forces is not None
-        size, curve = self.length or rope.length_unstretched, rope.made_of.curve
+        size = rope.length_unstretched if self.length is None else self.length
+        curve = rope.made_of.curve
         if curve is not None:
             return np.asarray(curve.strain_at(self.forces) * size)
         return self.forces * size / rope.made_of.EA
@@ -148,7 +161,7 @@ def pull_test(
     elongations: ArrayLike,
     error: float | None = None,
     *,
-    length: float | None = None,
+    length: float | str | None = None,
     rope: str | None = None,
 ) -> Measurement:
     """Elongations [m] of a piece of the rope under forces [N]; `length` [m] of the piece, or the rope's.
@@ -156,6 +169,8 @@ def pull_test(
     The law of stretch gives them without a run: force times length over EA.
     """
     pulled, found = _numbers("forces", forces), _numbers("elongations", elongations)
+    if length is not None:
+        length = given("pull_test.length", length, "m")
     if pulled.shape != found.shape:
         raise InputError(
             "pull_test", f"{pulled.size} and {found.size}", "needs as many forces as elongations"
@@ -203,7 +218,7 @@ def shape(points: ArrayLike, error: float | None = None, *, axes: str = "xyz") -
     What is compared is the distance of each point from the rope, across it: one number a point in a plane,
     two in space. Where along the rope a point lies need not be known.
     """
-    found = np.asarray(points, dtype=np.float64)
+    found = _array("shape", points)
     if found.ndim != 2 or found.shape[1] != len(axes) or set(axes) - set(AXES) or len(axes) < 2:
         rule = f"must be k x {len(axes)} numbers, one column for each of the axes {axes!r}"
         raise InputError("shape", " x ".join(map(str, found.shape)), rule)
@@ -281,7 +296,7 @@ def track(
     if isinstance(source, (str, Path)):
         rows, axes = _read_track(Path(source))
     else:
-        rows = np.asarray(source, dtype=np.float64)
+        rows = _array("track", source)
     if rows.ndim != 2 or rows.shape[1] != 1 + len(axes) or set(axes) - set(AXES):
         rule = f"must be rows of time and {', '.join(axes)}"
         raise InputError("track", " x ".join(map(str, rows.shape)), rule)
@@ -303,6 +318,8 @@ def _read_track(path: Path) -> tuple[Floats, str]:
             lines = [row for row in csv.reader(file) if row]
     except OSError as error:
         raise RunError(path, f"cannot be read: {error.strerror}") from None
+    except (UnicodeDecodeError, csv.Error):
+        raise RunError(path, "is not a text file (UTF-8) of rows with commas") from None
     head = [name.strip().lower() for name in lines[0]] if lines else []
     if head[:1] != ["time"] or not head[1:] or set(head[1:]) - set(AXES):
         raise RunError(path, "must begin with a head such as time,x,z")
@@ -313,15 +330,23 @@ def _read_track(path: Path) -> tuple[Floats, str]:
         raise RunError(path, f"must hold {len(head)} numbers a line: {error}") from None
 
 
+def _as_kept(name: str, what: Any) -> Measurement:
+    if isinstance(what, list) and len(what) == 2 and all(np.ndim(part) == 0 for part in what):
+        value, other = what
+        rule = f"write ({value}, {other}) for a value and its error, or ([{value}, {other}], None) for two"
+        raise InputError(name, what, rule)
+    return kept(name, *(what if isinstance(what, tuple) else (what,)))
+
+
 def as_measurements(measured: Any) -> tuple[Measurement, ...]:
-    """Return measurements from one, several, or a mapping from what is kept to (values, error)."""
+    """Return measurements from one, several, or a mapping from what is kept to (values, error).
+
+    A list of two numbers is refused there: it may be a value and its error, or two values.
+    """
     if isinstance(measured, Measurement):
         return (measured,)
     if isinstance(measured, Mapping):
-        return tuple(
-            kept(name, *(given if isinstance(given, tuple) else (given,)))
-            for name, given in measured.items()
-        )
+        return tuple(_as_kept(name, what) for name, what in measured.items())
     if (
         isinstance(measured, Sequence)
         and measured

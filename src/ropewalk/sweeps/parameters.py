@@ -66,14 +66,20 @@ class Parameter:
 
 
 def spread_in_words(spread: Any) -> str:
-    """Return a distribution or a range as text: `norm(100000.0, 5000.0)`, `9.5 to 10.5`."""
+    """Return a distribution or a range as text: `norm(100000.0, 5000.0)`, `9.5 to 10.5`.
+
+    With both ends where it has any: of scipy's `uniform` the second number is a width.
+    """
     if isinstance(spread, tuple):
         return f"{spread[0]:.12g} to {spread[1]:.12g}"
     if isinstance(spread, _Inverse):
         return repr(spread.distribution)
     words = [f"{value!r}" for value in getattr(spread, "args", ())]
     words += [f"{name}={value!r}" for name, value in getattr(spread, "kwds", {}).items()]
-    return f"{getattr(getattr(spread, 'dist', None), 'name', type(spread).__name__)}({', '.join(words)})"
+    name = getattr(getattr(spread, "dist", None), "name", type(spread).__name__)
+    low, high = spread.support() if hasattr(spread, "support") else (-np.inf, np.inf)
+    ends = f": {low:.12g} to {high:.12g}" if np.isfinite([low, high]).all() else ""
+    return f"{name}({', '.join(words)}){ends}"
 
 
 @dataclass(frozen=True)
@@ -112,7 +118,7 @@ def make_parameters(scene: Scene, vary: Any) -> tuple[Parameter, ...]:
         unit = str(extra.get("unit", "")) if isinstance(extra, Mapping) else ""
         description = (field.description or whole).partition(":")[0].partition(";")[0]
         try:
-            values, spread = _values_or_spread(path, _without_units(path, what, unit))
+            values, spread = _values_or_spread(path, without_units(path, what, unit))
             if values is not None and field.annotation is not str:
                 values = _numbers_in_texts(values)
             kind = _kind(path, values, spread, field.annotation is int)
@@ -202,7 +208,7 @@ def _refuse_overlaps(places: Places) -> None:
         raise SceneError(faults)
 
 
-def _without_units(path: str, what: Any, unit: str) -> Any:
+def without_units(path: str, what: Any, unit: str) -> Any:
     """Return a range or a list with texts such as "12 mm" as numbers of `unit`; anything else as it is."""
     if not unit or not isinstance(what, list | tuple) or not any(isinstance(v, str) for v in what):
         return what
@@ -284,7 +290,9 @@ def _kind(path: str, values: Sequence[Any] | None, spread: Any, whole: bool) -> 
     if all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in values):
         if whole and all(float(value).is_integer() for value in values):
             return INT
-        return FLOAT  # a fraction where a whole number is needed is refused with its scene
+        if whole and (broken := [v for v in values if not float(v).is_integer()]):
+            raise SceneError([Fault(path, v, "must be a whole number") for v in broken])
+        return FLOAT
     if all(isinstance(value, (str, int, float, list, tuple, bool)) for value in values):
         return TEXT
     rule = "must be numbers, texts, true or false, or vectors [x, y, z]"

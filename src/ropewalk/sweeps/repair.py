@@ -10,6 +10,7 @@ from ropewalk.record.files import writing
 from ropewalk.record.zarr_format import opened
 from ropewalk.sweeps import facts
 from ropewalk.sweeps.sweep_folder import COPIES, DATA, SCENE, SweepFolder, runs_in_words
+from ropewalk.words.shell import typed
 
 
 def _fault(path: Path) -> str:
@@ -50,7 +51,7 @@ def _of_batch(sweep: SweepFolder, number: int) -> list[str]:
         return found
     what = "its mark cannot be read" if mark is None else "its files do not fit its mark"
     runs = runs_in_words(rows)
-    remedy = f"`ropewalk resume {sweep.folder}` makes these runs again"
+    remedy = f"`ropewalk resume {typed(sweep.folder)}` makes these runs again"
     return [f"{sweep.folder}: batch {number} ({runs}) is damaged: {what}; {remedy}"]
 
 

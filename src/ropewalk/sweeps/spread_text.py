@@ -66,7 +66,8 @@ def parse_vary(text: str) -> tuple[str, Any]:
     """Return path and values (or spread) of `PATH=WHAT`. Raises InputError.
 
     WHAT is a list `1e4,1e5,1e6`, a range `9.5..10.5` or `9.5..10.5 m`, a grid `linspace(1, 2, 5)`,
-    `logspace(3, 6, 4)`, or a distribution of scipy.stats such as `norm(1e5, 5e3)`.
+    `logspace(3, 6, 4)`, or a distribution of scipy.stats such as `norm(1e5, 5e3)`; the second number of its
+    `uniform(3, 0.5)` is a width.
     """
     path, equals, what = text.partition("=")
     if not equals or not path.strip() or not what.strip():

@@ -41,6 +41,7 @@ from ropewalk.sweeps.store_layout import (
     nothing_broke,
 )
 from ropewalk.sweeps.sweep_plan import READS, SweepPlan
+from ropewalk.words.shell import typed
 
 FACTS, SCENE, DATA, PARTIAL = "sweep.json", "scene.toml", "data.zarr", ".partial"
 #: A second time the values of the runs and what was asked: nothing else could bring them back.
@@ -336,7 +337,7 @@ class SweepFolder:
             where = f" ({runs_in_words(range(first, min(first + spec.chunk[0], self.plan.runs)))})"
             results = {*OF_BROKEN, STATUS, *(v.name for v in self.plan.variables)}
             remedy = "makes these runs again" if name in results else remedy
-        return f"is damaged{where}: {why}; `ropewalk resume {self.folder}` {remedy}"
+        return f"is damaged{where}: {why}; `ropewalk resume {typed(self.folder)}` {remedy}"
 
     def statuses(self, done: Iterable[int]) -> Iterator[tuple[list[str], list[str]]]:
         """Yield status and reason of the runs of batches that are done."""

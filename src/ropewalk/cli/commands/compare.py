@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -105,14 +106,22 @@ def _places(
         return output, nowhere
     figure = output / "compare.png"
     refuse_existing(figure, overwrite=overwrite)
-    kept = [
-        None if Path(run).is_dir() else output / short_name(label.replace("/", "-"))
-        for run, label in zip(runs, labels, strict=True)
-    ]
-    for folder in kept:
-        if folder is not None:
-            refuse_run(folder, overwrite)
+    kept, taken = list[Path | None](), set[str]()
+    for run, label in zip(runs, labels, strict=True):
+        kept.append(None)
+        if not Path(run).is_dir():
+            name = _free(short_name(label.replace("/", "-")), taken)
+            kept[-1] = output / name
+            refuse_run(output / name, overwrite)
     return figure, kept
+
+
+def _free(name: str, taken: set[str]) -> str:
+    """Return a name that none has taken yet, numbered if need be, and take it; case makes no difference."""
+    numbered = (name if number == 1 else f"{name}-{number}" for number in count(1))
+    free = next(one for one in numbered if one.casefold() not in taken)
+    taken.add(free.casefold())
+    return free
 
 
 def _run(scene: Scene, source: str, folder: Path | None, *, overwrite: bool) -> Result:

@@ -12,6 +12,7 @@ from ropewalk.cli.failures import Refusal
 from ropewalk.cli.results_table import print_results
 from ropewalk.cli.run_argument import is_sweep, open_run, run_argument
 from ropewalk.cli.scene_argument import json_option
+from ropewalk.words.shell import typed
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Plan
@@ -67,14 +68,14 @@ def info(folder: Path, checked: bool, as_json: bool) -> None:
 def _going_on(result: Result, folder: Path) -> str:
     """Return the command that goes on with what was interrupted, "" where nothing was."""
     if not result.facts.provenance.get("live"):
-        return f"resume {folder}" if _resumes(result, folder) else ""
+        return f"resume {typed(folder)}" if _resumes(result, folder) else ""
     from ropewalk.live.keeper import parts
     from ropewalk.record.place import session_folder
     from ropewalk.record.result import Result
 
     whole = session_folder(folder)
     interrupted = Result.open(parts(whole)[-1]).status == "interrupted"
-    return f"view {whole} --continue" if interrupted else ""
+    return f"view {typed(whole)} --continue" if interrupted else ""
 
 
 def _resumes(result: Result, folder: Path) -> bool:

@@ -12,6 +12,7 @@ from ropewalk.cli.console import say, tell
 from ropewalk.cli.output_files import write_new
 from ropewalk.cli.scene_argument import short_name
 from ropewalk.words.nearest import close_name
+from ropewalk.words.shell import typed
 
 _LIKE = 0.7  # how like a preset's name a name is that may be meant for it; 1: the same
 
@@ -35,8 +36,8 @@ def new(name: str, output: Path | None, origin: str | None, overwrite: bool) -> 
     if origin is None:
         _tell_of_preset(name)
     say(f"{path}: a scene begun with {begun_with}")
-    say(f"next:  ropewalk check {path}")
-    say(f"then:  ropewalk run {path}")
+    say(f"next:  ropewalk check {typed(path)}")
+    say(f"then:  ropewalk run {typed(path)}")
 
 
 def _text(name: str, origin: str | None) -> tuple[str, str]:

@@ -14,6 +14,7 @@ from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.results_table import print_result_json, print_results
 from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
 from ropewalk.cli.startup import without_scipy
+from ropewalk.words.shell import typed
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Model
@@ -186,14 +187,14 @@ def conclude(result: Result, warnings: tuple[str, ...] = (), *, as_json: bool, q
         _tell_of_partings(result.partings)
     if result.status == "interrupted":
         tell(f"interrupted at t = {result.time[-1]:.6g} s; what there is was kept")
-        tell(f"go on with: ropewalk resume {result.folder}")
+        tell(f"go on with: ropewalk resume {typed(result.folder)}")
         return INTERRUPTED
     if result.diagnosis:
         tell(result.diagnosis)
         if not result.facts.keep_going:
             tell(f"everything up to t = {result.time[-1]:.6g} s is kept in {result.folder}")
             if result.beyond is not None:
-                tell(f"see how it broke: ropewalk plot {result.folder} shape film")
+                tell(f"see how it broke: ropewalk plot {typed(result.folder)} shape film")
                 tell("record on into the break: run it with --keep-going")
         return BROKE
     return 0

@@ -15,6 +15,8 @@ from ropewalk.cli.failures import INTERRUPTED, Refusal
 from ropewalk.cli.output_files import claimed, refuse_parent, warn_of_left
 from ropewalk.cli.progress import tell_compiling
 from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
+from ropewalk.words.counts import counted
+from ropewalk.words.shell import typed
 
 SWEEPS = Path("sweeps")
 _TOLD = 20  # damaged files
@@ -42,7 +44,8 @@ def on_options(command: Any) -> Any:
     required=True,
     metavar="PATH=WHAT",
     help="What to vary, as in --set: a list 1e4,1e5,1e6, a range 9.5..10.5 m, linspace(1, 2, 5), or a "
-    "distribution such as norm(1e5, 5e3); can be given again.",
+    "distribution of scipy.stats such as norm(1e5, 5e3), or uniform(3, 0.5), low and width: from 3 to 3.5; "
+    "can be given again.",
 )
 @click.option("--samples", type=int, metavar="N", help="Draw N runs; without it lists make a grid.")
 @click.option("--design", default="sobol", show_default=True, help="sobol, lhs, halton or random.")
@@ -175,8 +178,8 @@ def ended(
             raise
         found = SweepFolder.open(folder)
         done = sum(len(found.plan.rows(number)) for number in found.standing()[0])
-        tell(f"interrupted: {done} of {found.plan.runs} runs are stored")
-        tell(f"go on with: ropewalk resume {folder}")
+        tell(f"interrupted: {done} of {counted(found.plan.runs, 'run')} are stored")
+        tell(f"go on with: ropewalk resume {typed(folder)}")
         return INTERRUPTED
     if finish is not None:
         finish(folder, as_json=as_json, quiet=quiet)
@@ -217,7 +220,7 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     ended = ", ".join(f"{count} {how}" for how, count in found["ended"].items())
     seed = "" if found["seed"] is None else f", seed {found['seed']}"
     rows = [
-        ("runs", f"{found['done']} of {found['runs']} made: {ended or 'none yet'}"),
+        ("runs", f"{found['done']} of {counted(found['runs'], 'run')} made: {ended or 'none yet'}"),
         ("design", f"{found['design']}{seed}"),
         ("batches", f"{found['batches done']} of {found['batches']} stored"),
         ("ropewalk", str(found["provenance"].get("ropewalk", ""))),
@@ -229,12 +232,13 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     print_table(columns, [_kept(v) for v in found["kept"]], right=range(3, 8))
     if found["plain"] < found["runs"]:
         say(
-            f"5 %, median and 95 % are of {found['sample']} runs, those of a plain sample of "
+            f"5 %, median and 95 % are of {counted(found['sample'], 'run')}, those of a plain sample of "
             f"{found['plain']} that ended well; all others, for Sobol indices, repeat its values"
         )
     if 0 < found["sample"] < FEW and any("quantiles" in one for one in found["kept"]):
         say(
-            f"of {found['sample']} runs, 5 % and 95 % are hardly more than the least and the largest met"
+            f"of {counted(found['sample'], 'run')}, 5 % and 95 % are hardly more than the least and the "
+            "largest met"
         )
     causes = [(str(count), why) for why, count in found["causes"].items()]
     if causes:
@@ -243,7 +247,7 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     if found["damaged"]:
         warn(f"{len(found['damaged'])} stored batches are damaged; resume makes them again")
     if found["done"] < found["runs"]:
-        say(f"go on with: ropewalk resume {folder}")
+        say(f"go on with: ropewalk resume {typed(folder)}")
     say(f"sweep folder: {folder}")
 
 
