@@ -230,6 +230,12 @@ def test_check_tells_no_sag_of_what_may_have_any() -> None:
     assert len(static_shape(afloat(0.0, end=0.6), strict=False).spans) == 1  # it is taut
 
 
+@pytest.mark.parametrize(("tied", "rests"), [(_beside(), False), (_tied(POLY, HEAVY), True)])
+def test_check_advises_no_start_at_rest_where_that_is_refused(tied: Scene, rests: bool) -> None:
+    (said,) = (text for text in check(tied, measure=False).warnings if "starts it pressed" in text)
+    assert said.endswith('take run.start = "at-rest"' if rests else "; more segments make it less")
+
+
 def test_check_tells_nothing_of_a_tag_line_that_floats() -> None:
     """Its tied node sank with the rope, the others stayed as drawn: 3 m were to "hang free, 5.964 m long"."""
     level = Straight(start=(0, 0, 0), end=(10, 0, 0))

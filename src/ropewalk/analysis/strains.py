@@ -15,6 +15,7 @@ from ropewalk.scene.from_library import entry as rope_of
 from ropewalk.scene.from_library import origin
 from ropewalk.scene.straight_words import straight_words
 from ropewalk.statics import Statics
+from ropewalk.statics.refusal import has_one_shape
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 
@@ -158,11 +159,13 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
         least = _NOTHING * float((pressed * state.rest_length[part]).max(initial=0.0))
         if rope.short or not most > max(rope.largest_tension, least):
             continue
+        remedy = "more segments make it less"
+        if has_one_shape(model, statics.positions, statics.tension):
+            remedy = 'take run.start = "at-rest"'
         found.append(
             f"rope {rope.name!r}: its shape starts it pressed, by up to {prefixed(most, 'N')}, where it "
             f"carries {prefixed(rope.largest_tension, 'N')} at rest: chords of a curve are shorter than the "
-            "rope between. Waves of that size run at first, and largest tensions may be theirs; take "
-            'run.start = "at-rest"'
+            f"rope between. Waves of that size run at first, and largest tensions may be theirs; {remedy}"
         )
     return found
 

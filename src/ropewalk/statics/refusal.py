@@ -56,6 +56,16 @@ def refuse_loose(model: Model, positions: Floats, tension: Floats) -> None:
     _refuse(rules, model)
 
 
+def has_one_shape(model: Model, positions: Floats, tension: Floats) -> bool:
+    """Tell whether neither `refuse_impossible` nor, of what was found, `refuse_loose` refuses a scene."""
+    try:
+        refuse_impossible(model)
+        refuse_loose(model, positions, tension)
+    except SceneError:
+        return False
+    return True
+
+
 def _refuse(rules: list[str], model: Model) -> None:
     """Raise SceneError with what is wrong with the ropes, "" for nothing."""
     faults = [
