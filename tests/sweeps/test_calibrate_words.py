@@ -259,3 +259,49 @@ def test_all_positions_may_be_measured_at_once() -> None:
     measured = rw.calibrate.kept("positions[-1]", places)
     found = measured.predicted({measured.variable: places[None]}, {}, swing(0.02))  # type: ignore[attr-defined]
     assert (found == measured.values).all()
+
+
+def test_a_measurement_in_a_scene_of_several_ropes_is_of_the_one_that_is_named() -> None:
+    """Node -1 was the last of the whole scene, whosever the measurement was."""
+    one = swing(0.02).ropes[0]
+    scene = rw.Scene(ropes=[one.replace(name=name) for name in "ab"], anchors=[])
+    count, corner = one.nodes, np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -5.0]])
+    places = np.zeros((2 * count, 3))
+    places[:, 0] = np.arange(2 * count)
+    places[:count, 2], places[count:, 2] = np.linspace(0.0, -1.0, count), 7.0
+    rest = {"positions_last": places}
+    for rope, fall in (("a", 1.0), ("b", 0.0)):
+        droop = rw.calibrate.droop(0.5, rope=rope)
+        assert droop.predicted({}, rest, scene) == pytest.approx([fall])
+        shape = rw.calibrate.shape(corner, axes="xyz", rope=rope)
+        alone = rw.Scene(ropes=[scene.rope_named(rope)], anchors=[])
+        own = {"positions_last": places[:count] if rope == "a" else places[count:]}
+        twin = rw.calibrate.shape(corner, axes="xyz").predicted({}, own, alone)
+        np.testing.assert_array_equal(shape.predicted({}, rest, scene), twin)
+    for name, made in (
+        ("droop", rw.calibrate.droop),
+        ("shape", lambda _, **of: rw.calibrate.shape(corner, **of)),
+    ):
+        with pytest.raises(InputError, match=rf"{name}\.rope.*must name one of .* ropes, a, b"):
+            made(0.5).predicted({}, rest, scene)
+        with pytest.raises(InputError, match=rf"{name}\.rope: 'c' - there is no such rope"):
+            made(0.5, rope="c").predicted({}, rest, scene)
+    with pytest.raises(InputError, match="the only rope of a scene"):
+        rw.calibrate.track([[0.0, 0.0, 0.0, 0.0]]).predicted({}, rest, scene)
+
+
+@pytest.mark.parametrize(
+    ("text", "rule"),
+    [
+        ("time,x\n0,1,0.5,2\n", "must hold 2 numbers a line, as its head does: row 1 has 4"),
+        ("time,x,z\n0,1,2\n1,2\n", "must hold 3 numbers a line, as its head does: row 2 has 2"),
+        ("time,x,x\n0,1,2\n", "must name each column once in its head, not time,x,x"),
+    ],
+)
+def test_a_track_whose_lines_are_not_as_its_head_says_is_refused(
+    tmp_path: Path, text: str, rule: str
+) -> None:
+    """A line of twice as many numbers became two rows of them."""
+    (tmp_path / "track.csv").write_text(text)
+    with pytest.raises(RunError, match=rule):
+        rw.calibrate.track(tmp_path / "track.csv")

@@ -248,6 +248,13 @@ def test_comments_in_words_are_passed_over(tmp_path: Path, head: str) -> None:
             ],
         ),
         ("a\0b", ["is not a text file"]),
+        # columns node, x, y, z without a head: node was taken for x
+        (
+            "0,0,0,0\n1,1,0,0\n",
+            [
+                "line 1: has 4 columns and no header; name them in a line above, with x, y, z among them"
+            ],
+        ),
     ],
 )
 def test_bad_points_files(tmp_path: Path, csv: str, lines: list[str]) -> None:

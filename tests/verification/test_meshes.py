@@ -271,6 +271,19 @@ def test_cavities_pass_and_parts_inside_out_do_not() -> None:
     aside = [(x + 3.0, y, z) for x, y, z in half]
     with pytest.raises(SceneError, match=r"faces\[12\].*is inside out"):
         Mesh(vertices=[*CORNERS, *aside], faces=[*FACES, *inner])
+    # Within the box round a tetrahedron, and outside of it: was taken for a cavity.
+    tetrahedron = [(-1.0, -1.0, -1.0), (3.0, -1.0, -1.0), (-1.0, 3.0, -1.0), (-1.0, -1.0, 3.0)]
+    sides = [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)]
+    inner = [tuple(corner - 4 for corner in face) for face in inner]
+    for middle_of, passes in ((0.0 - 0.4, True), (2.0, False)):
+        small = [
+            (middle_of + 0.2 * x, middle_of + 0.2 * y, middle_of + 0.2 * z) for x, y, z in CORNERS
+        ]
+        if passes:
+            Mesh(vertices=[*tetrahedron, *small], faces=[*sides, *inner])
+        else:
+            with pytest.raises(SceneError, match=r"faces\[4\].*is inside out"):
+                Mesh(vertices=[*tetrahedron, *small], faces=[*sides, *inner])
 
 
 FAULTS: dict[str, tuple[Any, str]] = {

@@ -30,7 +30,7 @@ def read_columns(
     With a header line the columns may come in any order and others are passed over; a header
     may carry units, as in ``x [mm]`` or ``tension (kN)``, from which the column is then converted. It may
     be a comment, as numpy.savetxt writes it. Without one, the columns are taken in the order of `units`,
-    and their numbers are in these.
+    and their numbers are in these; more columns than that are refused.
 
     Args:
         folder: what a relative file name is relative to.
@@ -59,6 +59,7 @@ def read_columns(
     width = len(rows[0][1])
     factors = [1.0] * len(names)
     if order is None:
+        _refuse_more(file, rows[0], names)
         order = list(range(len(names)))
     else:
         factors = _factors(file, rows.pop(0), order, units)
@@ -169,6 +170,18 @@ def _factor(cell: str, unit: str) -> float | None:
     text = given[1].strip() if given else ""
     factor = None if text in _PLAIN else in_unit(f"1 {text}", unit)
     return factor if isinstance(factor, float) else None
+
+
+def _refuse_more(file: str, row: tuple[int, list[str]], names: Sequence[str]) -> None:
+    """Refuse a file without a header of which nobody can tell which columns are wanted."""
+    number, cells = row
+    count = max((place for place, cell in enumerate(cells, start=1) if cell), default=0)
+    if count > len(names):
+        rule = (
+            f"line {number}: has {count} columns and no header; name them in a line above, with "
+            f"{', '.join(names)} among them"
+        )
+        refuse([Fault("file", file, rule)])
 
 
 def _factors(

@@ -205,10 +205,10 @@ def surface_faults(vertices: Any, faces: Any) -> list[Fault]:
 
 
 def _inverted(places: NDArray[np.float64], corners: NDArray[np.int64]) -> list[Fault]:
-    """Return a fault for a part that is flat, or inside out and no cavity: in no part that is not."""
+    """Return a fault for a part that is flat, or inside out and no cavity: not within what is solid."""
     whole = places[corners]
     parts = _parts(len(places), corners)[corners[:, 0]]
-    boxes, volumes, firsts = [], [], []
+    volumes, firsts = [], []
     for part in np.unique(parts):
         own = whole[parts == part]
         a, b, c = np.moveaxis(own - own.mean(axis=(0, 1)), 1, 0)
@@ -218,11 +218,9 @@ def _inverted(places: NDArray[np.float64], corners: NDArray[np.int64]) -> list[F
             first = int(np.argmax(parts == part))
             rule = "encloses nothing: its sides lie on each other; give it a thickness"
             return [Fault(f"faces[{first}]", "of a flat part", rule)]
-        boxes.append((own.min(axis=(0, 1)), own.max(axis=(0, 1))))
         firsts.append(int(np.argmax(parts == part)))
-    solid = [box for box, volume in zip(boxes, volumes, strict=True) if volume > 0.0]
-    for (low, high), volume, first in zip(boxes, volumes, firsts, strict=True):
-        if volume > 0.0 or any((a < low).all() and (high < b).all() for a, b in solid):
+    for volume, first in zip(volumes, firsts, strict=True):
+        if volume > 0.0 or _times_round(whole[parts != parts[first]], whole[first, 0]) > 0.5:
             continue
         rule = (
             "is inside out: faces must be counter-clockwise seen from outside; turn them round (a mesh "
@@ -230,6 +228,18 @@ def _inverted(places: NDArray[np.float64], corners: NDArray[np.int64]) -> list[F
         )
         return [Fault(f"faces[{first}]", f"of a part with a volume of {volume:.3g}", rule)]
     return []
+
+
+def _times_round(triangles: NDArray[np.float64], point: NDArray[np.float64]) -> float:
+    """Return how often triangles (t, 3, 3) go round a point: 1 within a solid, 0 outside it and in a cavity.
+
+    The sum of their solid angles over that of a sphere (Van Oosterom and Strackee 1983).
+    """
+    a, b, c = np.moveaxis(triangles - point, 1, 0)
+    x, y, z = (np.linalg.norm(side, axis=1) for side in (a, b, c))
+    over = (a * np.cross(b, c)).sum(axis=1)
+    under = x * y * z + (a * b).sum(axis=1) * z + (b * c).sum(axis=1) * x + (c * a).sum(axis=1) * y
+    return float(np.arctan2(over, under).sum()) / (2.0 * np.pi)
 
 
 def _parts(count: int, corners: NDArray[np.int64]) -> NDArray[np.int64]:

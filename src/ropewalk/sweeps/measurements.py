@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import build
+from ropewalk.lowering.layout import make_layout
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.scene import Material, Scene
 from ropewalk.scene.sheet_numbers import given
@@ -63,6 +64,18 @@ def _numbers(name: str, values: ArrayLike) -> Floats:
     if not found.size or not np.isfinite(found).all():
         raise InputError(name, values, "must be finite numbers, at least one")
     return found
+
+
+def _nodes_of(name: str, scene: Scene, rope: str | None) -> slice:
+    """Return where the nodes of the measured rope lie among all; of several it needs a name."""
+    names = [one.name for one in scene.ropes]
+    if rope is None and len(names) > 1:
+        rule = f"must name one of the scene's ropes, {', '.join(names)}"
+        raise InputError(f"{name}.rope", None, rule)
+    if rope is not None and rope not in names:
+        raise InputError(f"{name}.rope", rope, f"there is no such rope; {nearest(rope, names)}")
+    span = make_layout(scene).span(rope)
+    return slice(span.start, span.end + 1)
 
 
 def _error(name: str, error: float | None) -> float | None:
@@ -114,21 +127,30 @@ def sag(values: ArrayLike, error: float | None = None) -> Measurement:
 @dataclass(frozen=True)
 class _Droop(Measurement):
     node: int = -1
+    rope: str | None = None
 
     def predicted(
         self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
     ) -> Floats:
         heights = rest["positions_last"] @ np.asarray(scene.up)
+        heights = heights[_nodes_of("droop", scene, self.rope)]
         if not -len(heights) <= self.node < len(heights):
             rule = f"there is no such node: there are {len(heights)}, from 0 or from the end, -1"
             raise InputError("droop.node", self.node, rule)
         return np.full(self.values.shape, heights[0] - heights[self.node])
 
 
-def droop(values: ArrayLike, error: float | None = None, *, node: int = -1) -> Measurement:
-    """How far a node hangs at rest below the rope's first one [m], as of an overhanging clamped rope."""
+def droop(
+    values: ArrayLike, error: float | None = None, *, node: int = -1, rope: str | None = None
+) -> Measurement:
+    """How far a node hangs at rest below the rope's first one [m], as of an overhanging clamped rope.
+
+    Of several ropes in the scene `rope` names the one.
+    """
     found = _numbers("droop", values)
-    return _Droop("droop", "m", found, _error("droop", error), rest=("positions[-1]",), node=node)
+    return _Droop(
+        "droop", "m", found, _error("droop", error), rest=("positions[-1]",), node=node, rope=rope
+    )
 
 
 @dataclass(frozen=True)
@@ -204,19 +226,24 @@ def swing(periods: ArrayLike, error: float | None = None, *, mode: int = 1) -> M
 @dataclass(frozen=True)
 class _Shape(Measurement):
     points: Floats | None = None  # (k, 3), NaN in an axis that was not measured
+    rope: str | None = None
 
     def predicted(
         self, kept: Mapping[str, Floats], rest: Mapping[str, Floats], scene: Scene
     ) -> Floats:
         assert self.points is not None
-        return offsets(rest["positions_last"], self.points, np.asarray(scene.up))
+        own = rest["positions_last"][_nodes_of("shape", scene, self.rope)]
+        return offsets(own, self.points, np.asarray(scene.up))
 
 
-def shape(points: ArrayLike, error: float | None = None, *, axes: str = "xyz") -> Measurement:
+def shape(
+    points: ArrayLike, error: float | None = None, *, axes: str = "xyz", rope: str | None = None
+) -> Measurement:
     """Points on the rope at rest [m], (k, 3) or, of a photograph, (k, 2) along two `axes`.
 
     What is compared is the distance of each point from the rope, across it: one number a point in a plane,
-    two in space. Where along the rope a point lies need not be known.
+    two in space. Where along the rope a point lies need not be known. Of several ropes in the scene `rope`
+    names the one.
     """
     found = _array("shape", points)
     if found.ndim != 2 or found.shape[1] != len(axes) or set(axes) - set(AXES) or len(axes) < 2:
@@ -228,7 +255,7 @@ def shape(points: ArrayLike, error: float | None = None, *, axes: str = "xyz") -
     count = len(found) * (len(axes) - 1)
     return _Shape(
         "shape", "m", np.zeros(count), _error("shape", error), rest=("positions[-1]",), points=full,
-        at_name="point",
+        at_name="point", rope=rope,
     )  # fmt: skip
 
 
@@ -272,6 +299,9 @@ class _Track(Measurement):
         from scipy.interpolate import CubicHermiteSpline
 
         assert self.at is not None
+        if len(scene.ropes) > 1:
+            rule = "follows a node of the only rope of a scene: leave the others out of it"
+            raise InputError("track", ", ".join(rope.name for rope in scene.ropes), rule)
         x, v = (kept[parse(text).name] for text in self.keep)
         times = np.arange(len(x)) * _frame_interval(scene)
         if self.at.max() > times[-1] + 1e-9:
@@ -291,7 +321,8 @@ def track(
 ) -> Measurement:
     """A node followed in time, as of a video: a CSV file with a head `time,x,z`, or rows of such numbers.
 
-    Times [s] from the run's start, places [m] along the `axes` (a file's head names them).
+    Times [s] from the run's start, places [m] along the `axes` (a file's head names them). The scene has one
+    rope.
     """
     if isinstance(source, (str, Path)):
         rows, axes = _read_track(Path(source))
@@ -323,9 +354,15 @@ def _read_track(path: Path) -> tuple[Floats, str]:
     head = [name.strip().lower() for name in lines[0]] if lines else []
     if head[:1] != ["time"] or not head[1:] or set(head[1:]) - set(AXES):
         raise RunError(path, "must begin with a head such as time,x,z")
+    if len(set(head)) < len(head):
+        raise RunError(path, f"must name each column once in its head, not {','.join(head)}")
+    for number, row in enumerate(lines[1:], start=1):
+        if len(row) != len(head):
+            rule = f"must hold {len(head)} numbers a line, as its head does: row {number} has {len(row)}"
+            raise RunError(path, rule)
     try:
         rows = np.array([[float(cell) for cell in row] for row in lines[1:]])
-        return rows.reshape(-1, len(head)), "".join(head[1:])
+        return rows.reshape(len(rows), len(head)), "".join(head[1:])
     except ValueError as error:
         raise RunError(path, f"must hold {len(head)} numbers a line: {error}") from None
 
