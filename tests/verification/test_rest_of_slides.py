@@ -108,6 +108,23 @@ def test_with_friction_it_stops_where_friction_holds_it() -> None:
     assert 0.0 < found.seats[0].use < 1.0
 
 
+def test_what_rests_in_a_bump_of_steep_sides_is_told() -> None:
+    """Tensions beside what slides without friction are the same on a line without segments."""
+    for at in (2.6, 1.5):
+        _, found = slope(trolley(5.0 * at / 2.5, drop=3.0, length=15.0))
+        (seat,) = found.seats
+        pulls = found.tension[[1, 18]]
+        assert [seat.before, seat.after] == pytest.approx(pulls, rel=0.01)
+        assert seat.uneven == pytest.approx(abs(np.diff(pulls)[0]), abs=0.1)
+        assert seat.uneven > 0.02 * pulls.max()
+        assert "more apart than on a line without segments" in str(seat)
+        assert seat.as_dict()["uneven"] == seat.uneven
+    for flat in (trolley(4.0), trolley(4.0, 0.05), trolley(0.3, brake=100.0)):
+        _, found = slope(flat)
+        assert found.seats[0].uneven == 0.0
+        assert "apart" not in str(found.seats[0])
+
+
 @pytest.mark.parametrize("friction", [0.0, 0.05])
 def test_it_stays_at_rest(friction: float) -> None:
     scene = trolley(4.0, friction)

@@ -130,8 +130,8 @@ def _tail_words(span: RestSpan) -> str:
 
 def _contacts(rest: Statics) -> list[Item]:
     """Say how ropes lie on obstacles and on each other, where what slides rests, and what turns pulleys."""
-    places = (*rest.wraps, *rest.touches, *rest.seats)
-    items: list[Item] = [Text(f"{_sentence(str(place))}.") for place in places]
+    items: list[Item] = [Text(f"{_sentence(str(one))}.") for one in (*rest.wraps, *rest.touches)]
+    items += [Text(f"{_sentence(str(one))}.", warning=one.uneven > 0.0) for one in rest.seats]
     items += [Text(f"{_sentence(str(one))}.", warning=not one.stands) for one in rest.pulleys]
     return items + ([Text(f"{_sentence(MANY)}.")] if rest.by_friction else [])
 

@@ -346,7 +346,7 @@ def _statics(
         wraps=lie,
         contacts=contacts,
         touches=() if unseen else touches(model, held, x, tension),
-        seats=() if unseen else seats(model, held, x),
+        seats=() if unseen else seats(model, held, x, tension),
         pulleys=pulleys(model, held, x),
         trouble=_UNSEEN if unseen else _trouble(model, balance, found),
         memory=arrays.copy(held) if obstacles or balance.coupled.acts else None,

@@ -94,6 +94,18 @@ class Seat:
     # the angle b that two segments share leaves h b^2 / 8 of the rope over.
     rounded: float
     spare: float  # by how much the rope is longer than its ends are apart [m]
+    before: float  # tension of the rope on the side of its start, beyond the nodes that bear the slide [N]
+    after: float  # ... and of its end; NaN where there is no such segment
+    weighs: float  # weight of the nodes between these two [N]
+
+    @property
+    def uneven(self) -> float:
+        """By how much the tensions beside it differ more than friction, brake and weight make them [N].
+
+        On a line without segments it is 0: what rests in a bump between two nodes makes it.
+        """
+        apart = abs(self.after - self.before) - abs(self.along) - self.weighs
+        return apart if apart > OFF * max(self.before, self.after) else 0.0
 
     @property
     def is_rounded(self) -> bool:
@@ -118,14 +130,27 @@ class Seat:
         if self.is_rounded:
             longer = prefixed(self.rounded, "m", 2)
             said += f"; its bend there is spread over segments, so that it is pulled as if {longer} longer"
+        if self.uneven:
+            said += "; " + self._bump
         if self.most == 0.0:
             return said
         carried, most = prefixed(abs(self.along), "N", 4), prefixed(self.most, "N", 4)
         return f"{said}; friction and brake carry {carried} of at most {most}"
 
+    @property
+    def _bump(self) -> str:
+        before, after, apart = (
+            prefixed(pull, "N", 4) for pull in (self.before, self.after, self.uneven)
+        )
+        return (
+            f"the rope has {before} and {after} beside it, {apart} more apart than on a line without "
+            "segments: they make bumps there, and it rests in one, so that forces on anchors may be as much "
+            "off and its place by some segments, on finer lines as well"
+        )
+
     def as_dict(self) -> dict[str, Any]:
         """Plain values, with the share."""
-        return vars(self) | {"use": self.use}
+        return vars(self) | {"use": self.use, "uneven": self.uneven}
 
 
 def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touch, ...]:
@@ -198,12 +223,13 @@ def _turn(model: Model, x: Floats, segments: Ints, pressed: Floats) -> float:
     return angle
 
 
-def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:
+def seats(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Seat, ...]:
     """Return where what slides is at places (3, n) [m], with what `State.memory` carries there."""
     table, found = model.system.node.slide, []
     for row, slide in enumerate(model.scene.slides):
         look(x, table, memory.slide, row)
         sight = memory.slide.sight[row]
+        before, after, weighs = _beside(model, tension, row, float(sight[AT]))
         found.append(
             Seat(
                 slide=slide.name,
@@ -216,9 +242,24 @@ def seats(model: Model, memory: Any, x: Floats) -> tuple[Seat, ...]:
                 segment=float(table.length[row]),
                 rounded=_rounded(table, x, row),
                 spare=_spare(x[:, int(table.first[row]) : int(table.last[row]) + 1]),
+                before=before,
+                after=after,
+                weighs=weighs,
             )
         )
     return tuple(found)
+
+
+def _beside(model: Model, tension: Floats, row: int, at: float) -> tuple[float, float, float]:
+    """Return tensions beside the three nodes that bear a slide, `at` in segments, and their weight [N]."""
+    table = model.system.node.slide
+    first, last = int(table.first[row]), int(table.last[row])
+    middle = first + math.floor(at + 0.5)
+    a, b = middle - 2, middle + 1  # segments
+    if a < first or b >= last:
+        return math.nan, math.nan, math.nan
+    pull = float(np.linalg.norm(model.scene.gravity))
+    return float(tension[a]), float(tension[b]), pull * float(model.state.mass[a + 1 : b + 1].sum())
 
 
 def _rounded(table: Any, x: Floats, row: int) -> float:
