@@ -6,6 +6,7 @@ import ropewalk as rw
 from ropewalk.scene import Anchor, Rope, RunSettings, Scene
 from ropewalk.scene.guess import Guess
 from ropewalk.scene.shapes import Straight
+from ropewalk.sheets.trust import Variant, _verdict
 from unit.test_sheets import LINE, table, warnings
 
 
@@ -49,6 +50,26 @@ def test_how_near_to_breaking_a_guessed_stiffness_may_bring_a_rope_is_told() -> 
     rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
     told = ("0.4 % (safety factor 250)", "0.2 % (safety factor 500)", "20 % (safety factor 5)")
     assert rows["largest utilisation, in the run"] == rows["largest utilisation, at rest"] == told
+
+
+def test_numbers_of_the_ends_are_on_the_safe_side_and_written_out() -> None:
+    """1.23e+03 % stood there, and 20 kN as the most of 20.005."""
+    guess = Guess(of="EA", value=4e4, low=20007.0, high=2.0005e6)
+    job = rw.sheet(taut(guess, breaking_load=1629.0), run=False)
+    rows = {row[0]: row[1:] for row in table(job.section("Guessed stiffness")).rows}
+    assert rows["largest utilisation, at rest"][2] == "1228 % (safety factor 0.0814)"
+    told = " ".join(warnings(job))
+    assert "largest tension 200 N to 20.01 kN" in told
+    assert "largest utilisation up to 1230 % (safety factor 0.0814)" in told
+
+
+def test_what_forces_change_by_at_most_is_rounded_up() -> None:
+    names = ("largest tension", "largest force on an anchor")
+    base = dict.fromkeys(names, 100.0)
+    changed = Variant("half the step", dict.fromkeys(names, 102.41))
+    assert _verdict(base, [changed]).words.startswith(
+        "The forces change by at most 2.5 % with half the step."
+    )
 
 
 def test_the_least_of_a_guessed_breaking_load_counts_at_the_stiff_end() -> None:

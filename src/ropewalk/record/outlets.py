@@ -101,7 +101,8 @@ class Outlets:
             times: only the frames nearest to these times [s].
             every: only every so many frames. Greatest and least are of all steps since the row before, those
                 of chosen times, too, and of the first row since the start.
-            rope: only this rope.
+            rope: only this rope, its anchors and what joints tie of it. Pulleys and the table of the run are
+                of all ropes.
 
         Raises InputError (a ValueError) for a table, nodes, times or a rope that are not there, RunError
         where there is no pandas.
@@ -139,9 +140,10 @@ class Outlets:
             times: only the frames nearest to these times [s].
             every: only every so many frames. Greatest and least are of all steps since the row before, those
                 of chosen times, too, and of the first row since the start.
-            rope: only this rope.
+            rope: only this rope, its anchors and what joints tie of it. Pulleys and the table of the run are
+                of all ropes.
             layout: "long", a row per frame and node, or "wide", a row per frame.
-            overwrite: replace files of an earlier export.
+            overwrite: replace files of an earlier export; its other tables in that folder go.
 
         Raises InputError (a ValueError) for a request that cannot be met, RunError for the files.
         """
