@@ -174,7 +174,7 @@ def test_a_header_may_be_a_comment(tmp_path: Path, head: str) -> None:
 @pytest.mark.parametrize(
     "csv",
     [
-        "# time,x,y,z: of the left end\n0,0,0,0\n1,0.5,0,0\n",  # says nothing of columns
+        "# of the left end, in time\n0,0,0,0\n1,0.5,0,0\n",  # says nothing of columns
         "# time [ms],x [mm],y [mm],z [mm]\ntime,x,y,z\n0,0,0,0\n1,0.5,0,0\n",
         "0,0,0,0\n# time [ms],x [mm],y [mm],z [mm]\n1,0.5,0,0\n",
     ],
@@ -197,6 +197,8 @@ def test_units_in_a_comment_are_checked_as_in_a_header(tmp_path: Path) -> None:
     [
         ("# t [ms],x [mm],y [mm],z [mm]", "time"),  # was taken as seconds and metres
         ("# x, y, z, t", "time"),  # in another order
+        ("# time,x,y,z: of the left end", "z"),
+        ("# time: ms, x: mm, y: mm, z: mm", "time, x, y, z"),
         ("# t [s];a [m];b [m];c [m]", "time, x, y, z"),
         ("# made at noon\n# all in [mm]", "time, x, y, z"),
     ],

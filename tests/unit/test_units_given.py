@@ -275,6 +275,8 @@ def test_numbers_of_numpy_are_numbers(kind: Any) -> None:
     assert rw.line(100, 0, made, pretension=kind(500)) == rw.line(100, 0, made, pretension=500)
     rolled = line.rolling(kind(80), places=np.int64(3))
     assert rolled.sag.tolist() == line.rolling(80, places=3).sag.tolist()
+    with pytest.raises(SceneError, match=r"may be 3 % or 300 %"):
+        rw.Material.from_elongation(800, kind(3), 0.0625)
     for wrong in (kind(-3), np.bool_(True)):
         with pytest.raises(SceneError, match=r"span: (-3|-3\.0|true) - must be a number of m"):
             rw.line(wrong, 0, made, sag=1.0)

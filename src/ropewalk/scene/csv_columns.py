@@ -97,7 +97,7 @@ def _cells(line: str, delimiter: str) -> list[str]:
 
 def _titles(cells: Sequence[str]) -> list[str]:
     """The names of columns in the cells of a header, without their units."""
-    return [re.split(r"[\[(:]", cell)[0].strip().lower() for cell in cells]
+    return [cell.split("[")[0].split("(")[0].strip().lower() for cell in cells]
 
 
 def _has_all(names: Sequence[str], cells: Sequence[str]) -> bool:
@@ -157,8 +157,8 @@ def _refuse_absent(file: str, number: int, cells: Sequence[str], names: Sequence
 
 def _names_columns(cells: Sequence[str], units: Mapping[str, str], width: int) -> bool:
     """Whether a comment is meant as a header of `width` columns, by names of columns or units in brackets."""
-    if len(set(units) & set(_titles(cells))) > 1:
-        return True
+    if len(set(units) & set(_titles([cell.split(":")[0] for cell in cells]))) > 1:
+        return True  # also of "time: ms, x: mm", whose units nobody reads
     factors = [_factor(cell, unit) for cell in cells for unit in {*units.values()}]
     known = [factor for factor in factors if factor is not None]
     return bool(known) and (len(cells) == width or any(factor != 1.0 for factor in known))
