@@ -203,6 +203,33 @@ def test_a_winch_takes_its_shortest_segment() -> None:
     assert turning.bound < 0.85 * still.bound
 
 
+def test_a_rope_on_a_drum_falls_as_far_as_one_that_is_out() -> None:
+    """Only what was out at the start counted: where drag decides the bound was up to twice as long."""
+
+    def hanging(out: float, **drum: float) -> Scene:
+        made_of = Material(EA=200.0, mass_per_length=0.02)
+        rope = Rope(
+            segments=round(4.0 * out),
+            length=out,
+            diameter=0.02,
+            made_of=made_of,
+            shape=Straight(end=(0, 0, -out)),
+        )
+        return Scene(
+            ropes=[rope],
+            anchors=[Anchor(node=0)],
+            air=Air(density=1000.0, normal_coefficient=1.2),
+            winches=[Winch(end="start", speed=0.5, **drum)],
+            run={"duration": 6.0, "method": "verlet", "time_step": 1e-5},
+        )
+
+    drops = hanging(1.0, on_drum=2.0), hanging(1.0, on_drum=9.0, max_length=3.0)
+    out, short = (stability(hanging(length, on_drum=0.0)).bound for length in (3.0, 1.0))
+    assert out < 0.8 * short
+    for drop in drops:
+        assert stability(drop).bound == pytest.approx(out, rel=0.03)
+
+
 def test_weak_growth_is_told_from_breaking() -> None:
     # Heun without sideways friction: formally unstable, y^4/8 per step.
     slow = stability(report(100.0, 1e-4, c=0.0, method="heun", duration=1.0))

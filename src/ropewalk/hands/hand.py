@@ -79,7 +79,7 @@ class AnchorHandle:
 
         From the rope's start towards its end.
 
-        Raises ValueError for an anchor without a clamp.
+        Raises ValueError for an anchor without a clamp, and when it has let go.
         """
         self._check_clamped("direction")
         return np.array(self._simulation.arrays.clamp_direction[self._row])

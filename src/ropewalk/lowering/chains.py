@@ -187,7 +187,7 @@ def speed_scale(system: System, state: State) -> float:
     """Return the speed of what a scene sets going [m/s].
 
     The fastest of: initial velocities against the wind, anchors and obstacles, and a fall through the rope's
-    length.
+    length, with what waits on its drums.
     """
     wind = flow(system)[:, None]
     start = float(np.linalg.norm(state.v - wind, axis=0).max())
@@ -195,9 +195,19 @@ def speed_scale(system: System, state: State) -> float:
     if state.forces.applied.any():
         whole = np.linalg.norm(state.forces.applied, axis=0).sum() / state.mass.sum()
         pull += float(whole)
-    fall = math.sqrt(2.0 * pull * float(state.rest_length.sum()))
+    fall = math.sqrt(2.0 * pull * (float(state.rest_length.sum()) + _on_drums(system, state)))
     moved = driven_speed(system)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
+
+
+def _on_drums(system: System, state: State) -> float:
+    """Return the length of the rope that winches may still pay out [m]."""
+    winches, total = system.winches, 0.0
+    for row, paid in enumerate(state.winch_paid):
+        one, other = sorted((int(winches.first[row]), int(winches.last[row])))
+        room = float(winches.longest[row] - state.rest_length[one:other].sum())
+        total += max(0.0, min(float(winches.drum[row] - paid), room))
+    return total
 
 
 def recoil(state: State) -> float:

@@ -68,11 +68,24 @@ def corners(row: Floats, rows: Floats) -> Floats:
 
 
 def speed(row: Floats, rows: Floats) -> float:
-    """Return the largest speed along a table [m/s], from a quadratic per interval sampled 9 times."""
-    share = np.linspace(0.0, 1.0, 9)[None, :, None]
-    s = share * np.diff(rows[:, 0])[:, None, None]
-    c1, c2, c3 = (rows[:-1, None, i::4] for i in (2, 3, 4))
-    return float(np.linalg.norm(c1 + s * (2.0 * c2 + 3.0 * s * c3), axis=2).max())
+    """Return the largest speed along a table [m/s], to a millionth: sampled, and where v . a = 0, a cubic.
+
+    Between two samples v is off the chord by at most h^2 |v''| / 8, which says where more may be.
+    """
+    width = np.diff(rows[:, 0])[:, None]
+    c1, c2, c3 = (rows[:-1, i::4] for i in (2, 3, 4))
+    s = (width * np.linspace(0.0, 1.0, 9))[:, :, None]
+    sampled = np.linalg.norm(c1[:, None] + s * (2.0 * c2[:, None] + 3.0 * s * c3[:, None]), axis=2)
+    largest = float(sampled.max())
+    reach = sampled.max(axis=1) + 0.75 * (width[:, 0] / 8.0) ** 2 * np.linalg.norm(c3, axis=1)
+    for i in np.flatnonzero(reach > largest * (1.0 + 1e-6)):
+        one, two, three = c1[i], c2[i], c3[i]
+        linear = 4.0 * two @ two + 6.0 * one @ three
+        tops = np.roots([18.0 * three @ three, 18.0 * two @ three, linear, 2.0 * one @ two])
+        at = np.clip(tops.real, 0.0, width[i, 0])[:, None]
+        found = np.linalg.norm(one + at * (2.0 * two + 3.0 * at * three), axis=1)
+        largest = max(largest, float(found.max(initial=0.0)))
+    return largest
 
 
 @kernel

@@ -6,7 +6,10 @@
 x is the stretch [m], q that of the arm's damper, from the moment when the rope is straight until it is slack
 again; the rope's own mass is left out. The motion about rest is a sum of three exponentials exp(r t),
     r^3 + r^2 / tau + r (EA + EA1) / (m L) + EA / (m L tau) = 0 ,
-whose largest stretch and force are found on a grid of times, and between two of them.
+whose largest stretch and force are found on a grid of times, and between two of them. A rope that is never
+slack swings about a place that creeps towards rest, so a later top may be the highest: tops lie under
+    x_rest + A exp(-b t) + C exp(-c t),   b, c the decay of the swing and of the creep,
+which for C < 0 and b < c is highest at exp((c - b) t) = -c C / (b A), later than the grid where tau is long.
 Source: Findley, Lai & Onaran, Creep and Relaxation of Nonlinear Viscoelastic Materials, ch. 5; for climbing
 ropes Pavier, Sports Engineering 1 (1998) 79.
 """
@@ -113,14 +116,40 @@ class _Motion:
         x, _, q = self.at(t, order)
         return np.asarray(self.k * x + self.k1 * (x - q))
 
+    def swings(self) -> Floats:
+        """Return times [s] between which a rope that is never slack is longest: a grid, and a later one."""
+        creep = int(np.argmin(np.abs(self.roots.imag)))
+        swing = int(np.argmax(self.roots.imag))
+        c, b = -float(self.roots[creep].real), -float(self.roots[swing].real)
+        C, A = float(self.terms[0, creep].real), 2.0 * abs(self.terms[0, swing])
+        if not (self.roots[swing].imag > 0.0 and 0.0 < b < c and C < 0.0 and A > 0.0):
+            return self.times
+        period = 2.0 * math.pi / float(self.roots[swing].imag)
+        middle = math.log(-c * C / (b * A)) / (c - b)
+        window = middle + period * np.linspace(-1.5, 1.5, 301)
+        return np.unique(np.concatenate([self.times, window[window > 0.0]]))
+
+    def longest(self) -> tuple[float, float]:
+        """Return the largest stretch of a rope that is never slack [m], and when [s]: at rest inf."""
+        found = self.rest, math.inf
+        times = self.swings()
+        speed = self.at(times)[1]
+        for i in np.flatnonzero((speed[1:] <= 0.0) & (speed[:-1] > 0.0)):
+            time = self._fall_of(lambda t: np.asarray(self.at(t)[1]), times[i], times[i + 1])
+            found = max(found, (float(self.at(np.array([time]))[0, 0]), time))
+        return found
+
+    @staticmethod
+    def _fall_of(what_at: Callable[[Floats], Floats], low: float, high: float) -> float:
+        return root_of(lambda t: float(what_at(np.array([t]))[0]), float(low), float(high))
+
     def first(self, what_at: Callable[[Floats], Floats]) -> float:
         """Return the first time after zero at which something falls through zero [s], inf: it does not."""
         what = what_at(self.times)
         falls = np.flatnonzero((what[1:] <= 0.0) & (what[:-1] > 0.0))
         if not falls.size:
             return math.inf
-        low, high = self.times[falls[0]], self.times[falls[0] + 1]
-        return root_of(lambda t: float(what_at(np.array([t]))[0]), float(low), float(high))
+        return self._fall_of(what_at, self.times[falls[0]], self.times[falls[0] + 1])
 
 
 def solid_fall(
@@ -167,8 +196,10 @@ def solid_fall(
     if math.isfinite(slack):
         speed = float(motion.at(np.array([slack]))[1, 0])
         back = 0.5 * speed**2 / (gravity * length * (factor + largest))
-    elif motion.rest > largest * length:  # it creeps on to rest
-        largest, longest = motion.rest / length, math.inf
+    else:
+        highest, time = motion.longest()
+        if highest > largest * length:
+            largest, longest = highest / length, time
     return SolidFall(
         float(motion.force(np.array([hardest]))[0]),
         largest,
