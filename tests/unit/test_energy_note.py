@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 import ropewalk as rw
 import runs
 from ropewalk.scene import (
     Anchor,
+    Kick,
     Limiter,
     Material,
     Rope,
@@ -107,3 +109,28 @@ def test_books_that_hold_no_numbers_are_told() -> None:
     assert note.startswith(
         f"its books hold no numbers from t = {result.time[3]:.6g} s on (work: friction)"
     )
+
+
+def turning(EA: float, **more: object) -> rw.Result:
+    """A tether of 2 m that turns about its anchor, 4 rad/s, drawn without the strain of that."""
+    stuff = Material(EA=EA, mass_per_length=0.05)
+    kicks = [Kick(node=k, velocity=(0.0, 4.0 * 0.2 * k, 0.0)) for k in range(1, 11)]
+    shape = Straight(end=(2.0, 0.0, 0.0))
+    rope = Rope(segments=10, length=2.0, made_of=stuff, shape=shape, kicks=kicks)
+    run = RunSettings(duration=0.2, method="semi-implicit-euler", **more)
+    return rw.simulate(Scene(ropes=[rope], anchors=[Anchor(node=0)], gravity=(0, 0, 0), run=run))
+
+
+def test_the_share_of_a_steady_motion_says_what_it_is_a_share_of() -> None:
+    """Hardly any energy is turned over. The twin: a soft tether, of which waves have a good part."""
+    result = turning(2e6)
+    share = result.table["largest energy error, share of the energy turned over [%]"]
+    text = result.table["about the energy"]
+    assert share > 1.0
+    whole = result.energy["kinetic"].max()
+    assert whole == pytest.approx(0.5 * 0.05 * 16.0 * 8.0 / 3.0, rel=0.01)
+    turned = result.table["largest energy error [J]"] / (share / 100.0)
+    assert (
+        f"hardly any energy is turned over, {turned:.3g} J: of the {whole:.4g} J of motion" in text
+    )
+    assert "about the energy" not in turning(20.0, time_step=1e-3).table
