@@ -7,8 +7,10 @@ segment held at both ends has it, is too soft by half a segment (first order).
 It turns by the angle rate (t - start), held to [0, rate (stop - start)], about an axis.
 
 The moment of a clamp on the rope is M = - sum of e x F over its half cells, F the force that the
-segment's first node gets. Turning it by an angle p does the work integral of M . dp, the elastic part of
-which goes into the energy of bending; it is summed by the trapezoidal rule, exact to second order.
+segment's first node gets. Where the rope has a curvature k0 of its own, whose axis stays fixed in space,
+turning all does change U, and the elastic part is M = d x dU/dd, which is the same without k0. Turning it
+by an angle p does the work integral of M . dp, the elastic part of which goes into the energy of bending;
+it is summed by the trapezoidal rule, exact to second order.
 """
 
 from __future__ import annotations
@@ -65,7 +67,7 @@ def spins_jump(held, clamped, axis, turn, t, spin):
 
 @part
 def half_cell(x, v, rest_length, j, side, row, bending, direction, spin):
-    """Return a half cell's elastic force and friction on the first node of its segment `j` [N]."""
+    """Return what the first node of segment `j` gets, elastically and by friction [N], and dU/dd [N m]."""
     share = bending.clamp_length[row] / rest_length[j]  # a winch changes lengths
     B, D = share * bending.clamp_stiffness[row, side], share * bending.clamp_damping[row, side]
     dx, dy, dz = direction[row, 0], direction[row, 1], direction[row, 2]
@@ -80,14 +82,14 @@ def half_cell(x, v, rest_length, j, side, row, bending, direction, spin):
     ux, uy, uz = v[0, j + 1] - v[0, j], v[1, j + 1] - v[1, j], v[2, j + 1] - v[2, j]
     ux, uy, uz = across(ux, uy, uz, tx, ty, tz, over, own)
     if side == 0:
-        px, py, pz, _, _, _ = pulls(B, tx, ty, tz, dx, dy, dz, kx, ky, kz)
+        px, py, pz, gx, gy, gz = pulls(B, tx, ty, tz, dx, dy, dz, kx, ky, kz)
         fx, fy, fz, _, _, _ = drags(D, tx, ty, tz, own, dx, dy, dz, 1.0, ux, uy, uz, rx, ry, rz)
     else:
-        _, _, _, px, py, pz = pulls(B, dx, dy, dz, tx, ty, tz, kx, ky, kz)
+        gx, gy, gz, px, py, pz = pulls(B, dx, dy, dz, tx, ty, tz, kx, ky, kz)
         _, _, _, fx, fy, fz = drags(D, dx, dy, dz, 1.0, tx, ty, tz, own, rx, ry, rz, ux, uy, uz)
     px, py, pz = across(px, py, pz, tx, ty, tz, over, own)
     fx, fy, fz = across(fx, fy, fz, tx, ty, tz, over, own)
-    return px, py, pz, fx, fy, fz
+    return px, py, pz, fx, fy, fz, gx, gy, gz
 
 
 @deferred()
@@ -100,7 +102,7 @@ def clamp_forces(x, v, rest_length, held, node, bending, direction, spin, elasti
             j = node[row] - 1 + side
             if bending.clamp_stiffness[row, side] == 0.0 or rest_length[j] == 0.0:  # it has parted
                 continue
-            px, py, pz, fx, fy, fz = half_cell(
+            px, py, pz, fx, fy, fz, _, _, _ = half_cell(
                 x, v, rest_length, j, side, row, bending, direction, spin
             )
             elastic[0, j + 1] += px
@@ -137,6 +139,16 @@ def clamp_energy(x, rest_length, held, node, bending, direction):
     return total
 
 
+@part
+def is_curled(natural, row, side):
+    """Tell whether a half cell has a curvature of its own."""
+    return (
+        natural[row, 3 * side] != 0.0
+        or natural[row, 3 * side + 1] != 0.0
+        or natural[row, 3 * side + 2] != 0.0
+    )
+
+
 @deferred()
 def clamp_moments(x, v, rest_length, held, node, bending, direction, spin, moment):
     """Write every clamp's moment on the rope [N m], (a, 6): elastic part, then friction's."""
@@ -149,13 +161,19 @@ def clamp_moments(x, v, rest_length, held, node, bending, direction, spin, momen
             j = node[row] - 1 + side
             if bending.clamp_stiffness[row, side] == 0.0 or rest_length[j] == 0.0:  # it has parted
                 continue
-            px, py, pz, fx, fy, fz = half_cell(
+            px, py, pz, fx, fy, fz, gx, gy, gz = half_cell(
                 x, v, rest_length, j, side, row, bending, direction, spin
             )
             ex, ey, ez = x[0, j + 1] - x[0, j], x[1, j + 1] - x[1, j], x[2, j + 1] - x[2, j]
-            moment[row, 0] += py * ez - pz * ey
-            moment[row, 1] += pz * ex - px * ez
-            moment[row, 2] += px * ey - py * ex
+            if is_curled(bending.clamp_natural, row, side):
+                dx, dy, dz = direction[row, 0], direction[row, 1], direction[row, 2]
+                moment[row, 0] += dy * gz - dz * gy
+                moment[row, 1] += dz * gx - dx * gz
+                moment[row, 2] += dx * gy - dy * gx
+            else:
+                moment[row, 0] += py * ez - pz * ey
+                moment[row, 1] += pz * ex - px * ez
+                moment[row, 2] += px * ey - py * ex
             moment[row, 3] += fy * ez - fz * ey
             moment[row, 4] += fz * ex - fx * ez
             moment[row, 5] += fx * ey - fy * ex
