@@ -179,7 +179,7 @@ def test_a_plate_is_as_thin_as_it_is_long() -> None:
         told = rw.check(still, measure=False).warnings
         said = [one for one in told if "only nodes touch" in one]
         assert len(said) == warned
-        assert all("longer than twice its half length (7 mm" in one for one in said)
+        assert all("longer than 1.4 times its half length (7 mm" in one for one in said)
 
 
 def beside_a_thick_rope(more: str = "") -> rw.Scene:
@@ -204,7 +204,7 @@ def test_a_thick_rope_elsewhere_hides_no_warning_of_a_thin_one() -> None:
         (beside_a_thick_rope("thick"), "segments of rope 'thin' of 200 mm"),
     ):
         told = [one for one in rw.check(scene, measure=False).warnings if "'bar'" in one]
-        assert any(whose in one and "twice its radius (55 mm" in one for one in told)
+        assert any(whose in one and "1.4 times its radius (55 mm" in one for one in told)
     quick = {
         "kind": "velocity",
         "velocity": (0.0, 0.0, 20.0),

@@ -347,7 +347,7 @@ def test_a_segment_that_lies_through_a_thin_body_is_no_rest(body: Obstacle) -> N
         shape={"kind": "polyline", "points": ends},
     )
     scene = Scene(ropes=[rope], anchors=[Anchor(node=0), Anchor(node=-1)], obstacles=[body])
-    words = r"segment \d+ of rope 'rope' comes to lie through 'thin' .*; take more segments"
+    words = r"segment \d+ of rope 'rope' would go through obstacle 'thin' .* Try more segments"
     with pytest.raises(NoRest, match=words):
         static_shape(scene)
     assert not static_shape(scene, strict=False).solved

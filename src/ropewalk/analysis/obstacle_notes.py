@@ -9,16 +9,25 @@ import numpy as np
 
 from ropewalk.laws.hardening import depth_under
 from ropewalk.laws.obstacle import radius_of
+from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
-from ropewalk.lowering.obstacle_checks import loading_each_other, radius_with_rope, turned_rate
+from ropewalk.lowering.obstacle_checks import (
+    STAYS_OUT,
+    loading_each_other,
+    longest_kept_out,
+    radius_with_rope,
+    turned_rate,
+)
 from ropewalk.methods.registry import METHODS
+from ropewalk.scene import Rope
 from ropewalk.scene.obstacles import Cylinder, Obstacle, thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
 from ropewalk.words.safe_side import rounded_down
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
+_TWICE = 2.0  # of a radius: a longer segment on it has its nodes on two sides [1]
 _ALONG = math.sqrt(0.5)  # cosine of 45 degrees
 _TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
 
@@ -66,24 +75,33 @@ def _long_segments(model: Model, body: Obstacle) -> list[str]:
 
     Each rope has its own thickness: a thick one elsewhere helps no thin one.
     """
-    measure, ropes = what_is_thin(body), model.scene.ropes
-    if measure == "half length" and isinstance(body, Cylinder) and not _goes_along(model, body):
+    if (
+        what_is_thin(body) == "half length"
+        and isinstance(body, Cylinder)
+        and not _goes_along(model, body)
+    ):
         return []
-    radii = [thinnest(body) + radius_of(rope) for rope in ropes]
-    long = [
-        (rope.segment_length / radius, rope, radius)
-        for rope, radius in zip(ropes, radii, strict=True)
-        if rope.segment_length > 2.0 * radius
-    ]
-    if not long:
+    ropes = model.scene.ropes
+    rope = max(ropes, key=lambda one: one.segment_length / _longest(body, one))
+    longest = _longest(body, rope)
+    if not rope.segment_length > longest:
         return []
-    _, rope, radius = max(long, key=lambda one: one[0])
     whose = f" of rope {rope.name!r}" if len(ropes) > 1 else ""
+    thin, times, measure = thinnest(body), "twice", what_is_thin(body)
+    if longest < _TWICE * (thin + radius_of(rope)):
+        measure = measure if half_thickness(body) == thin else "half thickness"
+        thin, times = half_thickness(body), f"{STAYS_OUT:g} times"
     return [
         f"obstacle {body.name!r}: segments{whose} of {1e3 * rope.segment_length:.4g} mm are longer than "
-        f"twice its {measure} ({1e3 * radius:.4g} mm, the rope's half diameter counted in): only nodes "
-        "touch, and a run in which it would slip through between two of them ends there; take more segments"
+        f"{times} its {measure} ({1e3 * (thin + radius_of(rope)):.4g} mm, the rope's half diameter counted "
+        "in): only nodes touch, and a run in which it would slip through between two of them ends there; "
+        f"take more segments, of at most {rounded_down(1e3 * longest)} mm"
     ]
+
+
+def _longest(body: Obstacle, rope: Rope) -> float:
+    """Return the length from which on a rope's segments may pass a body between two nodes, or cut it [m]."""
+    return min(longest_kept_out(body, rope), _TWICE * (thinnest(body) + radius_of(rope)))
 
 
 def _yielding(model: Model, statics: Statics, row: int) -> list[str]:

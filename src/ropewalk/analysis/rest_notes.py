@@ -8,7 +8,7 @@ from ropewalk.lowering import Model
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.statics import Statics
 from ropewalk.statics.refusal import weight_left
-from ropewalk.statics.wraps import MANY
+from ropewalk.statics.wraps import MANY, coarse_words
 from ropewalk.words.counts import counted
 
 _ROUNDING = 1e-9
@@ -76,7 +76,7 @@ def rest_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence where what is said of rest is not of a shape at rest, or of one among many."""
     if statics.solved:
         turned = [str(body) for body in statics.pulleys if not body.stands]
-        return turned + ([MANY] if statics.by_friction else [])
+        return turned + ([MANY] if statics.by_friction else []) + coarse_words(statics.wraps)
     if may_say_nothing(model):
         return [f"{statics.trouble}. What is said of tensions at rest is left out"]
     if not statics.searched:
@@ -84,6 +84,8 @@ def rest_warnings(model: Model, statics: Statics) -> list[str]:
             "the shape of rest was not looked for, as more than its weight acts on more than 100000 nodes: "
             "sag and tension given here are those under weight alone. ropewalk settle looks for it"
         ]
+    if statics.trouble:
+        return [f"{statics.trouble}. Sag and tension given here are those of a shape near to it"]
     return [
         f"no shape of rest was found ({statics.residual:.2g} N are left on a node): sag and tension "
         "given here are those of a shape near to it"

@@ -5,19 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Ints, State
-from ropewalk.laws.obstacle import radius_of
-from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.pairs.table import CONTACTS, CROWDED, FAULT, FIRST, PASSED, REFUSED, SECOND
 from ropewalk.lowering import Layout, Plan
+from ropewalk.lowering.obstacle_checks import longest_kept_out
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Obstacle, Scene
 from ropewalk.scene.obstacles import name_of
 from ropewalk.words.safe_side import rounded_down
 
 _FINER = 0.1  # [1] of the longest step that `adaptive` took
-
-#: Length over half the thickness [1]: of what is shorter a node presses before the segment is across.
-_SHORT = 1.4
 
 
 def finer(plan: Plan, longest: float = 0.0) -> tuple[str, ...]:
@@ -94,7 +90,7 @@ def passing(
         )
         return what, one_of(*closer, *slower, "a stiffer contact (its compliance)")
     made = next(one for one in scene.ropes if one.name == rope)
-    short = _SHORT * (half_thickness(body) + radius_of(made))
+    short = longest_kept_out(body, made)
     what = (
         f"segment {node} of rope {rope!r} would go through obstacle {name!r} between its two nodes, where "
         "nothing holds it"

@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.hardening import depth_under
-from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.obstacle import Obstacles, radius_of
 from ropewalk.laws.obstacle_places import depths, drawn_places, moves, sweeping_speed, turning_rate
+from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.obstacle_way import LONG, leads_out, lies_across
 from ropewalk.lowering.layout import Layout
 from ropewalk.methods.registry import METHODS
@@ -21,12 +22,15 @@ from ropewalk.scene.faults import Fault
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.scene.motions import Fixed, Shake, Table, Velocity
 from ropewalk.scene.obstacles import Cylinder, Obstacle, is_free, thinnest, what_is_thin
+from ropewalk.scene.rope import Rope
 from ropewalk.words.safe_side import rounded_down
 
 #: [rad] by which an obstacle turns in an automatic step at most.
 _FAR = 0.5 * math.pi
 _ALONG = 1e-9  # [1] of a way: what of it goes along an axis by rounding
 DRAWN = 0.012  # [1] depth over the diameter that a drawn shape may begin with: chords of an arc
+#: Length over half the thickness [1]: of what is shorter a node presses before the segment is across.
+STAYS_OUT = 1.4
 #: Methods that keep stiff modes ringing, so that no contact comes to rest.
 RINGING = ("implicit-midpoint", "generalized-alpha")
 
@@ -98,6 +102,11 @@ def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
     """Return every obstacle with the largest speed at which its surface leaves its place [m/s]."""
     table: Obstacles = system.node.obstacle
     return [(body, sweeping_speed(table, row)) for row, body in enumerate(scene.obstacles)]
+
+
+def longest_kept_out(body: Obstacle, rope: Rope) -> float:
+    """Return the length up to which a rope's segments cannot go through a body between their nodes [m]."""
+    return STAYS_OUT * (half_thickness(body) + radius_of(rope))
 
 
 def radius_with_rope(system: System, body: Obstacle) -> float:

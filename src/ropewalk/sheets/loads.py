@@ -16,7 +16,7 @@ from ropewalk.record.tension_notes import anchor_bears, anchor_note, tension_not
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.ropes import NO_DRAG
-from ropewalk.statics.wraps import MANY
+from ropewalk.statics.wraps import MANY, coarse_words
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.safe_side import safety_factor
@@ -133,7 +133,8 @@ def _contacts(rest: Statics) -> list[Item]:
     items: list[Item] = [Text(f"{_sentence(str(one))}.") for one in (*rest.wraps, *rest.touches)]
     items += [Text(f"{_sentence(str(one))}.", warning=one.uneven > 0.0) for one in rest.seats]
     items += [Text(f"{_sentence(str(one))}.", warning=not one.stands) for one in rest.pulleys]
-    return items + ([Text(f"{_sentence(MANY)}.")] if rest.by_friction else [])
+    items += [Text(f"{_sentence(MANY)}.")] if rest.by_friction else []
+    return items + [Text(f"{_sentence(one)}.", warning=True) for one in coarse_words(rest.wraps)]
 
 
 def _sentence(words: str) -> str:

@@ -36,6 +36,7 @@ _NEAR = 0.05  # of a segment: the longest way of a step after which rest may be 
 _SLOW = 100.0  # drag under which it may be, in the model's units [1]
 _LEAST, _MOST = 1e-9, 1e9  # of the drag, in the model's units and over the stiffest contact [1]
 _FAR = 3.0  # of the ropes' length and all distances: on a longer way nothing comes to rest [1]
+_REFUSED = 60  # steps in which something would go through something: then it will [1]
 _AWAY = 3.0  # of a segment: on the way for so long, and not to rest, is to slide or fall [1]
 _TURNS = 60  # rounds in which the planes of contacts of ropes turn with them
 _ROUNDS = 10  # in which the coefficients of friction follow the turns of the rope at its nodes
@@ -51,7 +52,12 @@ class Crept:
 
 
 def creep(
-    balance: Balance, x: Floats, thinnest: float, patience: int, see: Callable[[Floats], None]
+    balance: Balance,
+    x: Floats,
+    thinnest: float,
+    patience: int,
+    see: Callable[[Floats], None],
+    passes: Callable[[Floats, Floats], bool],
 ) -> Crept:
     """Return where ropes come to rest from places `x` (3, n) [m].
 
@@ -61,6 +67,7 @@ def creep(
         thinnest: least radius of what may be met [m], inf for planes.
         patience: Newton steps after which to give up.
         see: is shown the places after every step.
+        passes: tells whether a way from places to others goes through something.
     """
     pull = balance.elastic(x)
     tension = np.where(np.isfinite(pull), np.maximum(pull, 0.0), 0.0)
@@ -69,14 +76,17 @@ def creep(
     longest, reach = _FAR * _size(balance, x), _CLEAR * thinnest  # farther where all is far away
     begun = roll(balance, Found(x, tension, math.inf, 0.0, 0), see)
     x, tension, spent = begun.x, begun.tension, begun.steps
-    way, share = 0.0, 0.1
+    way, share, refused = 0.0, 0.1, 0
     for count in range(_MORE if balance.coupled.acts else _STEPS):
         step = _dragged(balance, x, tension, drag)
         spent += step.steps
         moved = _largest(balance, step.x - x)
-        if not step.at_rest or not moved <= _allowed(balance, x, reach):
-            drag, share = 4.0 * drag, 0.5
-            if drag > _MOST * stiffest or spent > patience or balance.coupled.fails:
+        clear = step.at_rest and moved <= _allowed(balance, x, reach)
+        through = clear and passes(x, step.x)
+        if through or not clear:
+            drag, share, refused = 4.0 * drag, 0.5, refused + through
+            over = spent > patience or refused > _REFUSED
+            if over or drag > _MOST * stiffest or balance.coupled.fails:
                 break
             continue
         x, tension, way = step.x, step.tension, way + moved
@@ -85,7 +95,7 @@ def creep(
         if way > longest or spent > patience:
             break
         if moved < _NEAR * balance.length and drag < _SLOW * unit and count % _EVERY == 0:
-            last = _at_last(balance, x, tension, min(reach, balance.length))
+            last = _at_last(balance, x, tension, min(reach, balance.length), passes)
             spent += last.steps
             if last.at_rest:
                 return Crept(last._replace(steps=spent), goes_on=False)
@@ -119,14 +129,21 @@ def _allowed(balance: Balance, x: Floats, reach: float) -> float:
     return min(max(reach, _CLEAR * balance.clearance(x)), balance.coupled.longest())
 
 
-def _at_last(balance: Balance, x: Floats, tension: Floats, reach: float) -> Found:
+def _at_last(
+    balance: Balance,
+    x: Floats,
+    tension: Floats,
+    reach: float,
+    passes: Callable[[Floats, Floats], bool],
+) -> Found:
     """Return the rest near `x` without drag, by contacts that hold with what they carry."""
     kept = balance.kept()
     reach = min(reach, balance.coupled.longest())
     found = _met(balance, x, search(balance, x, tension, 3 * _INNER, _LEAPS))
     steps = found.steps
     for _ in range(_ROUNDS):
-        if not found.at_rest or not _largest(balance, found.x - x) <= reach:
+        near = found.at_rest and _largest(balance, found.x - x) <= reach
+        if not near or passes(x, found.x):
             break
         balance.remember(found.x, at_last=True)
         if balance.error(found.x, found.tension) <= found.allowed:

@@ -10,11 +10,13 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact import push_on
 from ropewalk.laws.obstacle_places import surface_near
+from ropewalk.laws.obstacle_way import find_sweep
 from ropewalk.lowering import Model
-from ropewalk.lowering.obstacle_checks import through
-from ropewalk.scene.obstacles import thinnest
+from ropewalk.lowering.obstacle_checks import longest_kept_out, through
+from ropewalk.scene.obstacles import name_of, thinnest
 from ropewalk.statics.balance import Balance
 from ropewalk.statics.standing import standing_obstacles
+from ropewalk.words.safe_side import rounded_down
 
 _TINY = 1e-300
 _SHALLOW = 0.5  # of a rope's radius: contacts at rest that are pressed in deeper are wrong [1]
@@ -48,6 +50,30 @@ class Pressed(NamedTuple):
         )
 
 
+class Across(NamedTuple):
+    """A segment that would go through an obstacle between its two nodes."""
+
+    segment: int
+    obstacle: int
+    length: float  # [m]
+
+    def words(self, model: Model) -> str:
+        """What happened, and what to change."""
+        rope, number = model.layout.rope_of(self.segment)
+        body = model.scene.obstacles[self.obstacle]
+        short = longest_kept_out(body, model.scene.rope_named(rope))
+        helps = "a shape nearer to rest"
+        if self.length > short:
+            helps = (
+                f"more segments (at most {rounded_down(1e3 * short)} mm long, this one is "
+                f"{1e3 * self.length:.3g})"
+            )
+        return (
+            f"no shape of rest was found: segment {number} of rope {rope!r} would go through obstacle "
+            f"{name_of(body, self.obstacle)!r} between its two nodes, where nothing holds it. Try {helps}"
+        )
+
+
 class Watch:
     """Looks how deep nodes are pressed in while ropes creep."""
 
@@ -57,6 +83,21 @@ class Watch:
         self.drawn = model.state.x.copy()
         self.push = pressing(model)
         self.deep: dict[tuple[int, int], float] = {}  # depth of nodes in obstacles on the way [m]
+        self.across: Across | None = None  # what would have gone through last
+
+    def passes(self, x: Floats, y: Floats) -> bool:
+        """Tell whether a segment goes through an obstacle between its nodes, from x to y, (3, n) [m] each."""
+        state, table = self.balance.state, self.balance.system.node.obstacle
+        if not self.body.size:
+            return False
+        found = np.zeros_like(state.memory.obstacle.through)
+        wheels, now = state.memory.obstacle.wheel, np.zeros(2)
+        if not find_sweep(x, y, state.inverse_mass, state.stiffness, table, wheels, found, now):
+            return False
+        segment = int(np.flatnonzero(found)[0])
+        long = float(np.linalg.norm(y[:, segment + 1] - y[:, segment]))
+        self.across = Across(segment, -int(found[segment]) - 1, long)
+        return True
 
     def see(self, x: Floats) -> None:
         """Look at places (3, n) [m] on the way."""

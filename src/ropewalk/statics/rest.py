@@ -217,8 +217,12 @@ def _find_by_creeping(model: Model, balance: Balance, *, patient: bool) -> Found
     thick = float(model.system.node.obstacle.thickness.max())
     least = min(map(thinnest, model.scene.obstacles), default=math.inf) + thick
     watch, balance.patient = Watch(model, balance), patient
-    crept = creep(balance, x, least, _PATIENCE if patient else _CHECKED, watch.see)
+    patience = _PATIENCE if patient else _CHECKED
+    crept = creep(balance, x, least, patience, watch.see, watch.passes)
     balance.goes_on, balance.slid = crept.goes_on, crept.slid
+    if watch.across is not None and not (crept.found.at_rest or crept.goes_on or crept.slid):
+        balance.speared = watch.across.words(model)
+        return crept.found._replace(error=np.inf)
     balance.pressed = watch.at_last(crept.found.x)
     if crept.found.at_rest and balance.pressed is None:
         balance.speared = speared_words(model, balance, crept.found.x)

@@ -54,7 +54,7 @@ def settle(
         from ropewalk.record.rest import rest_and_result
         from ropewalk.rigging.held_places import in_words
         from ropewalk.statics import rest_spans
-        from ropewalk.statics.wraps import MANY
+        from ropewalk.statics.wraps import MANY, coarse_words
 
         with telling_of_compiling():
             model = build(loaded)
@@ -77,6 +77,8 @@ def settle(
             say(words)
     if rest.by_friction:
         say(f"note: {MANY}")
+    for coarse in coarse_words(rest.wraps):
+        warn(coarse)
     _print_anchors(result)
     if output is not None:
         say(f"run folder: {output}")
