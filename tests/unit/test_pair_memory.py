@@ -9,7 +9,7 @@ import pytest
 
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.pairs.force import pair_energy, pair_forces
-from ropewalk.laws.pairs.pair_memory import FADES, remember_pairs
+from ropewalk.laws.pairs.pair_memory import FADES, frame_of, remember_pairs
 from ropewalk.laws.pairs.search import freeze, new_row, row_of
 from ropewalk.laws.pairs.table import CONTACTS, FOUND, GONE, MORE, NORMAL, PUSH, SPRING
 from ropewalk.laws.pairs.way import begin_contact
@@ -104,6 +104,26 @@ def test_friction_is_handed_on_to_a_contact_that_was_found_on_the_way() -> None:
     assert memory.grip[0, FOUND] == memory.grip[0, GONE] == 0.0
     assert memory.grip[0, PUSH] > 0.0
     assert abs(memory.grip[0, SPRING]) > 0.005
+
+
+@pytest.mark.parametrize(("turn", "within"), [(1.0, 2e-3), (0.2, 0.05), (0.0, 1e-9)])
+def test_the_frame_of_a_contact_is_that_in_which_both_go_along_themselves(
+    turn: float, within: float
+) -> None:
+    """Where the bar lies across, at 11 degrees, and along: there each has half of what slides."""
+    _, state = pressed(0.05)
+    x, memory, carried = state.x, state.memory.contact, np.array([3.0, -2.0, 5.0])
+    x[:, 4] = x[:, 3] + 0.2 * np.array(
+        [np.cos(0.5 * np.pi * turn), np.sin(0.5 * np.pi * turn), 0.0]
+    )
+    along, v = x[:, 4] - x[:, 3], np.zeros_like(x)
+    v[0, :3] = 0.5
+    v[:, 3:] = -0.5 * (along / np.linalg.norm(along))[:, None]
+    found = frame_of(x, v, memory, 0)
+    assert found == pytest.approx(np.zeros(3), abs=within)
+    assert frame_of(x, v + carried[:, None], memory, 0) == pytest.approx(found + carried)
+    x[:, 4] = x[:, 3]  # of no length: the mean of both
+    assert frame_of(x, v, memory, 0) == pytest.approx(0.5 * (v[:, 0] + v[:, 3]))
 
 
 @pytest.mark.parametrize("contact", [{}, {"compliance": 1e-3}])

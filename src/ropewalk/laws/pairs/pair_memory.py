@@ -12,7 +12,15 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import deferred, kernel, small
-from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
+from ropewalk.laws.pairs.distance import (
+    NEVER,
+    comes_to,
+    less,
+    nearest,
+    on_way,
+    product,
+    relative_way,
+)
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
@@ -51,6 +59,7 @@ from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 FADES = 0.03  # [s]
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
+EVEN = 1e-3  # [1] weight of the speeds along segments, over that of what they do not explain
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 
 
@@ -112,14 +121,69 @@ def slips(memory, row, friction):
     return grip[row, PUSH] > 0.0 and math.sqrt(square) >= AT_LIMIT * friction * grip[row, PUSH]
 
 
+@small
+def point_of(x, i, s):
+    """Return x (3, n) at a point of segment i."""
+    return (
+        (1.0 - s) * x[0, i] + s * x[0, i + 1],
+        (1.0 - s) * x[1, i] + s * x[1, i + 1],
+        (1.0 - s) * x[2, i] + s * x[2, i + 1],
+    )
+
+
 @kernel
-def lead(x, y, table, memory, row, tied):
-    """Give a contact points and normal as they will be at y; tell whether that could be.
+def frame_of(x, v, memory, row):
+    """Return the velocity [m/s] of the frame in which both segments of a contact go along themselves.
+
+    u - w = s e - t f by least squares, u and w the velocities of its points, e and f the segments' vectors:
+    it is the mean of u - s e and w - t f. EVEN keeps s and t small where e and f are almost parallel.
+    """
+    i, j = memory.pair[row, 0], memory.pair[row, 1]
+    u, w = point_of(v, i, memory.grip[row, OWN]), point_of(v, j, memory.grip[row, OTHER])
+    e = less(on_way(x, x, 0.0, i + 1), on_way(x, x, 0.0, i))
+    f = less(on_way(x, x, 0.0, j + 1), on_way(x, x, 0.0, j))
+    ee, ff, ef = (1.0 + EVEN) * product(e, e), (1.0 + EVEN) * product(f, f), product(e, f)
+    p, q, wide, s, t = product(less(u, w), e), product(less(u, w), f), ee * ff - ef * ef, 0.0, 0.0
+    if wide > 0.0:
+        s, t = (p * ff - q * ef) / wide, (p * ef - q * ee) / wide
+    return (
+        0.5 * (u[0] + w[0] - s * e[0] - t * f[0]),
+        0.5 * (u[1] + w[1] - s * e[1] - t * f[1]),
+        0.5 * (u[2] + w[2] - s * e[2] - t * f[2]),
+    )
+
+
+@kernel
+def run_on(x, v, dt, memory, row, y):
+    """Write where a contact's nodes and the next ones will be that go on along their rope for a step, [m].
+
+    It is seen from `frame_of`, so that friction is the same however fast all moves. How fast nodes go across
+    their rope says little of where they will be: what is pressed rocks.
+    """
+    c, rope, last = frame_of(x, v, memory, row), memory.rope, x.shape[1] - 1
+    for side in range(2):
+        first = memory.pair[row, side]
+        for i in range(first, min(first + 2, last) + 1):
+            a = i - 1 if i > 0 and rope[i - 1] >= 0 else i
+            b = i + 1 if i < last and rope[i] >= 0 else i
+            square, along = 0.0, 0.0
+            for k in range(3):
+                square += (x[k, b] - x[k, a]) ** 2
+                along += (v[k, i] - c[k]) * (x[k, b] - x[k, a])
+            way = dt * along / square if square > 0.0 else 0.0
+            for k in range(3):
+                y[k, i] = x[k, i] + way * (x[k, b] - x[k, a])
+
+
+@kernel
+def lead(x, v, dt, y, table, memory, row, tied):
+    """Give a contact points and normal as they will be after another step; tell whether that could be.
 
     One that slips round a bend turns as it goes. With the plane of where it was it would lag behind, and hold
     as much more as it has turned.
     """
     i, j = memory.pair[row, 0], memory.pair[row, 1]
+    run_on(x, v, dt, memory, row, y)
     size = table.radius[i] + table.radius[j]
     s, t, distance = nearest(x, y, 1.0, i, j)
     before = depth_at(x, memory, row, i, j, size)
@@ -136,29 +200,10 @@ def lead(x, y, table, memory, row, tied):
 
 
 @kernel
-def run_on(x, v, dt, rope, y):
-    """Write where nodes will be that go on along their rope for another step, (3, n) [m].
-
-    How fast they go across it says little of where they will be: what is pressed rocks.
-    """
-    last = x.shape[1] - 1
-    for i in range(x.shape[1]):
-        a = i - 1 if i > 0 and rope[i - 1] >= 0 else i
-        b = i + 1 if i < last and rope[i] >= 0 else i
-        square, along = 0.0, 0.0
-        for k in range(3):
-            square += (x[k, b] - x[k, a]) ** 2
-            along += v[k, i] * (x[k, b] - x[k, a])
-        way = dt * along / square if square > 0.0 else 0.0
-        for k in range(3):
-            y[k, i] = x[k, i] + way * (x[k, b] - x[k, a])
-
-
-@kernel
-def refresh(x, y, table, memory, row, tied):
+def refresh(x, v, dt, y, table, memory, row, tied):
     """Keep points and normal of a contact, find them anew, or mark it as gone.
 
-    y is where the nodes will be after another step at the speed they have.
+    y (3, n) is room for where nodes will be after another step of `dt` [s] at the speed they have.
     """
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     size = table.radius[i] + table.radius[j]
@@ -166,7 +211,7 @@ def refresh(x, y, table, memory, row, tied):
     if distance >= REACH * size or memory.rope[i] < 0 or memory.rope[j] < 0:
         grip[row, GONE] = 1.0
         return
-    if slips(memory, row, friction_of(table, i, j)) and lead(x, y, table, memory, row, tied):
+    if slips(memory, row, friction_of(table, i, j)) and lead(x, v, dt, y, table, memory, row, tied):
         return
     if not is_right(x, memory, row, size, distance):
         if owns(x, x, 0.0, table, memory, tied, i, j, s, t):
@@ -298,10 +343,9 @@ def remember_pairs(x, v, dt, table, memory, tied):
     for k in range(3):
         for i in range(x.shape[1]):
             memory.way[k, i] = x[k, i] - place[k, i]
-    run_on(x, v, dt, memory.rope, place)
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
-        refresh(x, place, table, memory, row, tied)
+        refresh(x, v, dt, place, table, memory, row, tied)
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)
