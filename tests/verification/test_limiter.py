@@ -10,6 +10,7 @@ import pytest
 from ropewalk.api import simulate
 from ropewalk.scene import (
     Anchor,
+    Contact,
     Hanging,
     Kick,
     Limiter,
@@ -175,3 +176,27 @@ def test_an_anchor_that_has_let_go_holds_no_order(side: int) -> None:
     result = simulate(scene)
     lengths = np.linalg.norm(np.diff(result.positions, axis=1), axis=2)
     assert lengths.max() / (3.0 / 16) < 1.0103
+
+
+def test_a_rope_on_a_drum_keeps_its_order_beside_another() -> None:
+    """One that touches nothing, in the same island: the anchor of the rope on the drum counted twice."""
+    soft = Material(EA=20.0, mass_per_length=0.1)
+    ends = []
+    for far in (None, 50.0):
+        shapes = {"wound": Straight(start=(0, 0, 0), end=(3, 0, 0))}
+        if far:
+            shapes["other"] = Straight(start=(0, far, 0), end=(3, far, 0))
+        ropes = [
+            Rope(name=name, segments=6, length=3.0, diameter=0.01, made_of=soft, shape=shape)
+            for name, shape in shapes.items()
+        ]
+        scene = Scene(
+            ropes=ropes,
+            anchors=[Anchor(rope="wound", node=node) for node in (0, -1)],
+            winches=[Winch(rope="wound", end="start", speed=1.5, max_length=6.0)],
+            contact=Contact(),
+            limiter=Limiter(max_stretch=1.02),
+            run=RunSettings(duration=0.5, time_step=0.01, method="semi-implicit-euler"),
+        )
+        ends.append(simulate(scene).rope("wound").positions[-1])
+    assert np.array_equal(*ends)

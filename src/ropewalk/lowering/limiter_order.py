@@ -34,6 +34,7 @@ def limiter_order(layout: Layout, joints: Joints) -> Order:
         _far_side(span, node): row
         for span in layout.ropes
         for row, node in enumerate(layout.anchor_nodes)
+        if span.first <= node <= span.last
     }
     distance, anchor_of = _distances(layout, held, members, joint_of)
     segments = [j for span in layout.ropes for j in range(span.first, span.last)]
