@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -231,3 +233,34 @@ def test_few_nodes_on_a_turn_are_told_of(segments: int, coarse: bool) -> None:
     if not coarse:
         assert said.statics.largest_tension == pytest.approx(load, rel=1e-3)
         assert said.statics.wraps[0].after == pytest.approx(load, rel=1e-3)
+
+
+RING = """
+ropes = [
+    rw.Rope(name="line", segments=10, length=5.0, made_of=rw.Material(EA=1e6, mass_per_length=1e-3),
+            shape={"kind": "slack", "start": (0, 0, 0), "end": (4, 0, 0.5)}),
+    rw.Rope(name="ring", segments=1, length=0.2, made_of=rw.Material(EA=1e5, mass_per_length=1e-4),
+            load=[{"node": -1, "mass": 10.0}]),
+]
+ends = [rw.Anchor(rope="line", node=node) for node in (0, -1)]
+scene = rw.Scene(ropes=ropes, anchors=ends, slides=[{"rope": "ring", "on": "line", "at": 1.6}])
+"""
+SETTLED = """
+import ropewalk as rw
+from ropewalk.cli.progress import listening_to_compiling
+from ropewalk.scene.presets import preset
+from ropewalk.statics import static_shape
+%s
+with listening_to_compiling(print):
+    assert static_shape(scene).solved
+"""
+
+
+@pytest.mark.parametrize("made", [RING, 'scene = preset("capstan")'], ids=["ring", "capstan"])
+def test_a_second_process_compiles_nothing_to_settle(made: str) -> None:
+    """It was told each time that compiling takes a minute or two the first time: two small functions."""
+    for _ in range(2):
+        done = subprocess.run(
+            [sys.executable, "-c", SETTLED % made], capture_output=True, text=True, check=True
+        )
+    assert done.stdout == ""

@@ -33,6 +33,10 @@ _ASKEW = 0.48, 0.6, 0.64  # [N] a force along no normal, but by chance; only tha
 ROOM = "ropes touch in more places than there is room for: take fewer segments"
 _EPS = float(np.finfo(float).eps)
 
+#: `bound_of` as plain Python: what goes into kernels has no machine code of its own on disk, and would get
+#: some in every process.
+bound_there = getattr(bound_of, "py_func", bound_of)
+
 
 class NoRoom(ArithmeticError):  # noqa: N818 - it is what happened, not a mistake
     """More is coupled than there is room for."""
@@ -131,7 +135,7 @@ class Couplings:
         table, memory = self.slide, self.state.memory.slide
         free = np.zeros(len(table.node), bool)
         for row in range(free.size):
-            most = float(bound_of(table, memory.sight, row))
+            most = float(bound_there(table, memory.sight, row))
             free[row] = abs(memory.grip[row, HELD]) >= SLIPS * most
         loose = {
             name: np.where(free, 0.0, getattr(table, name))

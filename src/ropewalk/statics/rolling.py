@@ -16,9 +16,9 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.slides.rail import look, point_at
-from ropewalk.laws.slides.slide_force import bound_of
 from ropewalk.laws.slides.table import INSIDE, PLACE, SPRING, Slides
 from ropewalk.statics.balance import Balance
+from ropewalk.statics.coupled import bound_there
 from ropewalk.statics.newton import Found
 from ropewalk.statics.searching import search
 
@@ -126,7 +126,9 @@ def _driven(balance: Balance, table: Slides, row: int, x: Floats) -> int:
     memory = balance.coupled.state.memory.slide
     look(x, table, memory, row)
     holds = float(memory.grip[row, SPRING])
-    if memory.sight[row, INSIDE] == 0.0 or abs(holds) <= float(bound_of(table, memory.sight, row)):
+    if memory.sight[row, INSIDE] == 0.0 or abs(holds) <= float(
+        bound_there(table, memory.sight, row)
+    ):
         return 0
     return -1 if holds > 0.0 else 1
 

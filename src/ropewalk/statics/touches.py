@@ -13,10 +13,10 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.contact import turn_towards
 from ropewalk.laws.pairs.table import CONTACTS, NORMAL, PUSH, SPRING
 from ropewalk.laws.slides.rail import look
-from ropewalk.laws.slides.slide_force import bound_of
 from ropewalk.laws.slides.table import APART, AT
 from ropewalk.laws.slides.table import SPRING as HELD
 from ropewalk.lowering import Model, Span
+from ropewalk.statics.coupled import bound_there
 from ropewalk.words.prefixes import prefixed
 
 _ROUNDING = 1e-6  # of a tension [1]
@@ -237,7 +237,7 @@ def seats(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Seat, 
                 at=float(sight[AT] * table.length[row]),
                 force=float(table.stiffness[row] * sight[APART]),
                 along=float(memory.slide.grip[row, HELD]),
-                most=float(bound_of(table, memory.slide.sight, row)),
+                most=float(bound_there(table, memory.slide.sight, row)),
                 off=float(sight[APART]),
                 segment=float(table.length[row]),
                 rounded=_rounded(table, x, row),
