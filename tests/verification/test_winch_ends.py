@@ -7,11 +7,13 @@ import math
 import numpy as np
 import pytest
 
+from ropewalk.analysis.check import check
 from ropewalk.core.status import OK
 from ropewalk.scene import (
     Anchor,
     Hanging,
     Limiter,
+    Load,
     Material,
     Rope,
     RunSettings,
@@ -74,6 +76,44 @@ def test_a_held_node_does_not_come_on_to_the_drum() -> None:
     assert 7.0 < length(simulation) < 7.5  # the second node stays out; the first is wound on
     assert len(set(simulation.arrays.anchor_node)) == 2
     np.testing.assert_array_equal(simulation.positions[2], place)
+
+
+@pytest.mark.parametrize(("end", "node"), [("start", 2), ("end", 4)])
+def test_a_load_does_not_come_on_to_the_drum(end: str, node: int) -> None:
+    """It stayed on the innermost node of the drum for ever, and in the drum's reaction."""
+    at_drum = 0 if end == "start" else -1
+    cord = Material(EA=300.0, mass_per_length=0.1, axial_damping=5.0)
+    way = (0, 0, -3) if end == "start" else (0, 0, 3)
+    rope = Rope(
+        segments=6,
+        length=3.0,
+        made_of=cord,
+        shape=Straight(start=(0, 0, 0), end=way),
+        loads=[Load(node=node, mass=2.0), Load(node=-1 - at_drum, mass=3.0)],
+    )
+    scene = Scene(
+        ropes=[rope],
+        anchors=[Anchor(node=at_drum)],
+        winches=[Winch(end=end, speed=-1.0)],
+        run=RunSettings(duration=2.0, time_step=1e-3, method="semi-implicit-euler"),
+    )
+    assert any(
+        f"the load at node {node} comes to the drum at 0.75 s" in w for w in check(scene).warnings
+    )
+    simulation = Simulation(scene)
+    span = simulation.layout.span("rope")
+    simulation.advance_frames(60)
+    assert simulation.winches["winch0"].stopped_by == "load"
+    assert simulation.winches["winch0"].paid_out == pytest.approx(-0.75, abs=2e-3)
+    mass = simulation.arrays.mass
+    assert mass[span.start + node] > 2.0
+    assert (
+        np.delete(mass, [span.start + node, span.end if at_drum == 0 else span.start]).max() < 0.1
+    )
+    simulation.winches["winch0"].speed = 0.5
+    simulation.advance_frames(30)
+    assert simulation.winches["winch0"].length == pytest.approx(2.5, abs=2e-3)
+    assert simulation.arrays.mass[span.start + node] == pytest.approx(2.05, abs=0.03)
 
 
 def test_a_winch_too_fast_for_the_step_is_refused() -> None:

@@ -18,6 +18,7 @@ def plan_notes(model: Model) -> list[str]:
     found = _whole_frames(model) + _late_releases(model)
     for row, winch in enumerate(scene.winches):
         found += _drum(scene, winch, float(model.system.winches.drum[row]))
+        found += _load_at_drum(model, row)
     return found
 
 
@@ -48,6 +49,25 @@ def _late_releases(model: Model) -> list[str]:
                 "Other methods cut the step there"
             )
     return found
+
+
+def _load_at_drum(model: Model, row: int) -> list[str]:
+    """Say when a load comes to a drum that should still reel in; there it stops."""
+    scene, winches = model.scene, model.system.winches
+    winch, load = scene.winches[row], int(winches.load[row])
+    if winch.speed >= 0.0 or load < 0:
+        return []
+    between = abs(load - int(model.state.winch_exit[row])) - 0.5
+    way = between * float(winches.segment[row])
+    least = scene.rope_named(winch.rope).length_unstretched - (winch.min_length or 0.0)
+    comes = winch.start - way / winch.speed
+    if way > least or comes >= min(winch.stop, scene.run.duration) * (1.0 - _ROUNDING):
+        return []
+    node = load - model.layout.span(winch.rope).start
+    return [
+        f"winch {winch.name!r}: the load at node {node} comes to the drum at {comes:.6g} s; from then on "
+        "the winch stands"
+    ]
 
 
 def _drum(scene: Scene, winch: Winch, drum: float) -> list[str]:

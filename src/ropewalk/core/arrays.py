@@ -56,6 +56,7 @@ class Winches(NamedTuple):
     first: Ints  # (w,) node at the rope's end on the drum
     last: Ints  # (w,) node at the rope's other end
     step: Ints  # (w,) +1 at the rope's start, -1 at its end
+    load: Ints  # (w,) the next node with a load, which does not come on to the drum; -1: none
     speed: Floats  # (w,) [m/s], + pays out
     start: Floats  # (w,) [s]
     stop: Floats  # (w,) [s]

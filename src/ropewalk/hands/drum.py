@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 # Why a winch stands although it is told to turn.
 EMPTY, LONGEST, SHORTEST = "empty drum", "max_length", "min_length"
 LAST, HELD_NODE, RELEASED = "last segment", "held node", "released"
+LOADED = "load"  # on the next node
 PARTED, SLIDES = "rope parted", "room for a slide"
 _ROUNDING = 1e-9  # [1] of a segment
 
@@ -88,8 +89,9 @@ class WinchHandle:
         """What keeps it from turning as it is told; empty when nothing does.
 
         "empty drum", "max_length", "min_length", "last segment" (half a segment is left outside),
-        "held node" (an anchor holds the next node), "released" (the drum was let go), "rope parted", or
-        "room for a slide" (something slides along the rope, which needs what is left).
+        "held node" (an anchor holds the next node), "load" (one is on the next node), "released" (the drum
+        was let go), "rope parted", or "room for a slide" (something slides along the rope, which needs what
+        is left).
         """
         return why_stopped(self._simulation.system, self._state, self._row, self.speed)
 
@@ -135,7 +137,9 @@ def limit_reached(system: System, state: State, row: int, speed: float) -> str:
         return SLIDES if _keeps_room(system, row) else SHORTEST
     outer = drum + int(winches.step[row])
     held = state.inverse_mass[outer] == 0.0 or len(tied_with(system.joints, state.tied, outer)) > 1
-    return HELD_NODE if held and working <= 0.5 * winches.segment[row] + little else ""
+    if working > 0.5 * winches.segment[row] + little:
+        return ""
+    return HELD_NODE if held else LOADED if outer == winches.load[row] else ""
 
 
 def _keeps_room(system: System, row: int) -> bool:

@@ -158,9 +158,13 @@ def _potential(system, state):
 
 
 @part
-def stays_off(system, state, node):
-    """Tell whether a node cannot come on to a drum: one that is held, or tied."""
-    return state.inverse_mass[node] == 0.0 or is_tied(system, state, node)
+def stays_off(system, state, row, node):
+    """Tell whether a node cannot come on to the drum of a winch: one that is held, tied, or has a load."""
+    return (
+        state.inverse_mass[node] == 0.0
+        or is_tied(system, state, node)
+        or node == system.winches.load[row]
+    )
 
 
 @kernel
@@ -190,7 +194,7 @@ def plan_turn(system, state, row, t, dt, turning):
         else:
             left = winches.drum[row] - state.winch_paid[row]
             wound = min(wound, max(0.0, min(winches.longest[row] - total, left)))
-        if stays_off(system, state, outer):
+        if stays_off(system, state, row, outer):
             wound = max(wound, min(0.0, 0.5 * nominal - length))
         if drum == winches.first[row]:  # no node is left to pay out
             wound = min(wound, max(0.0, SPLIT * nominal - length))
@@ -226,7 +230,7 @@ def _end_turn(system, state, row, turning):
         elif (
             length < MERGE * nominal
             and outer != winches.last[row]
-            and not stays_off(system, state, outer)
+            and not stays_off(system, state, row, outer)
         ):
             merge(system, state, row, drum, working, length)
     follow_drum(winches, state, row)

@@ -340,6 +340,7 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
                 span.first if at_start else span.last,
                 span.last if at_start else span.first,
                 1 if at_start else -1,
+                _next_load(rope, span, at_start),
                 winch.speed,
                 winch.start,
                 winch.stop,
@@ -355,11 +356,19 @@ def _winches(scene: Scene, layout: Layout) -> Winches:
     return _table_of(rows)
 
 
+def _next_load(rope: Rope, span: Span, at_start: bool) -> int:
+    """Return the node between a rope's ends with a load that is next to this end; -1: none."""
+    nodes = {rope.node_index(load.node) for load in rope.loads} - {0, rope.segments}
+    if not nodes:
+        return -1
+    return span.start + (min(nodes) if at_start else max(nodes))
+
+
 def _table_of(rows: Sequence[tuple[float, ...]]) -> Winches:
-    columns = np.array(rows, dtype=np.float64).reshape(-1, 15).T
-    anchor, first, last, step = (column.astype(np.int64) for column in columns[:4])
-    rest = (np.ascontiguousarray(column) for column in columns[4:])
-    return Winches(anchor, first, last, step, *rest)
+    columns = np.array(rows, dtype=np.float64).reshape(-1, 16).T
+    anchor, first, last, step, load = (column.astype(np.int64) for column in columns[:5])
+    rest = (np.ascontiguousarray(column) for column in columns[5:])
+    return Winches(anchor, first, last, step, load, *rest)
 
 
 def _hold(system: System, state: State, keep: Pieces) -> None:
