@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
@@ -203,14 +204,19 @@ def test_nothing_is_replaced_unasked(result: Result, tmp_path: Path) -> None:
 
 
 def test_tables_of_a_former_export_do_not_stay(result: Result, tmp_path: Path) -> None:
-    """`slides.csv` of another run lay beside the new nodes.csv, and was taken for its own."""
-    for name in ("slides.csv", "slides.parquet", "notes.csv"):
-        (tmp_path / name).write_text("a\n")
-    export(result, "csv", tmp_path, quantities=["positions"])
-    assert (tmp_path / "slides.csv").exists()  # nothing goes unasked
-    export(result, "csv", tmp_path, quantities=["positions", "tension"], overwrite=True)
-    left = sorted(path.name for path in tmp_path.iterdir())
-    assert left == ["nodes.csv", "notes.csv", "segments.csv", "slides.parquet"]
+    """`slides.csv` of a run that was there before lay beside the new nodes.csv, and was taken for its own."""
+    saved = result.save(tmp_path / "run")
+    own, far = tmp_path / "run" / "csv", tmp_path / "far"
+    for folder in (own, far):
+        folder.mkdir()
+        for name in ("slides.csv", "slides.parquet", "notes.csv"):
+            (folder / name).write_text("a\n")
+            os.utime(folder / name, (1.0, 1.0))
+        export(saved, "csv", folder, quantities=["positions"], overwrite=True)
+        export(saved, "csv", folder, quantities=["tension"], overwrite=True)
+    left = ["nodes.csv", "notes.csv", "segments.csv", "slides.parquet"]
+    assert sorted(path.name for path in own.iterdir()) == left
+    assert (far / "slides.csv").read_text() == "a\n"  # which may be anybody's
 
 
 def test_a_rope_has_its_own_anchors_and_ties(tmp_path: Path) -> None:

@@ -119,7 +119,10 @@ def test_what_rests_in_a_bump_of_steep_sides_is_told() -> None:
         assert seat.uneven > 0.02 * pulls.max()
         assert "more apart than on a line without segments" in str(seat)
         assert seat.as_dict()["uneven"] == seat.uneven
-    for flat in (trolley(4.0), trolley(4.0, 0.05), trolley(0.3, brake=100.0)):
+    rests = trolley(5.2)
+    line = rests.ropes[0].replace(forces=[Force(node=11, force=(3.0, 0.0, 0.0))])
+    drawn = rests.replace(ropes=[line, *rests.ropes[1:]])  # a given force is no bump
+    for flat in (trolley(4.0), trolley(4.0, 0.05), trolley(0.3, brake=100.0), drawn):
         _, found = slope(flat)
         assert found.seats[0].uneven == 0.0
         assert "apart" not in str(found.seats[0])

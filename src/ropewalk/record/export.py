@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.files import PARTIAL, writing
+from ropewalk.record.place import PROVENANCE
 from ropewalk.record.quantities import BY_NAME, QUANTITIES, labels, rope_numbers, sizes
 from ropewalk.record.selection import DEFAULT, Selection, select
 from ropewalk.record.tables import NAMES, Table, tables
@@ -61,7 +62,8 @@ def export(
         rope: only this rope, its anchors and what joints tie of it. Pulleys and the table of the run are of
             all ropes.
         layout: "long", a row per frame and node, or "wide", a row per frame.
-        overwrite: replace files of an earlier export; its other tables in that folder go.
+        overwrite: replace files of an earlier export. In the run's own folder, tables that are older than
+            the run go.
 
     Raises InputError for a request that cannot be met, RunError for the files.
     """
@@ -80,7 +82,20 @@ def export(
         return (out,)
     if to == "vtk":
         return (write_vtk(result, chosen, out, overwrite),)
-    return _write_tables(tables(result, chosen, layout), to, out, overwrite)
+    found = _write_tables(tables(result, chosen, layout), to, out, overwrite)
+    if result.folder is not None and out.parent == result.folder:
+        _drop_former(result.folder, out, to)
+    return found
+
+
+def _drop_former(run: Path, out: Path, to: str) -> None:
+    """Remove tables beside a run that are older than it: of one that it has replaced."""
+    with writing(out):
+        begun = (run / PROVENANCE).stat().st_mtime
+        for name in NAMES:
+            path = out / f"{name}.{to}"
+            if path.is_file() and path.stat().st_mtime < begun:
+                path.unlink()
 
 
 def _write_tables(found: list[Table], to: str, out: Path, overwrite: bool) -> tuple[Path, ...]:
@@ -99,10 +114,6 @@ def _write_tables(found: list[Table], to: str, out: Path, overwrite: bool) -> tu
     for path, table in files.items():
         with new_file(path, overwrite) as partial:
             write(table, partial)
-    if overwrite and out not in files:
-        for path in {out / f"{name}.{to}" for name in NAMES} - set(files):
-            with writing(path):  # of an earlier export of another run, or of more of this one
-                path.unlink(missing_ok=True)
     return tuple(files)
 
 

@@ -143,7 +143,8 @@ class Outlets:
             rope: only this rope, its anchors and what joints tie of it. Pulleys and the table of the run are
                 of all ropes.
             layout: "long", a row per frame and node, or "wide", a row per frame.
-            overwrite: replace files of an earlier export; its other tables in that folder go.
+            overwrite: replace files of an earlier export. In the run's own folder, tables that are older than
+                the run go.
 
         Raises InputError (a ValueError) for a request that cannot be met, RunError for the files.
         """

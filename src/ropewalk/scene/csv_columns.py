@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 _MOST_FAULTS = 10
 _IN_BRACKETS = re.compile(r"[\[(]([^\])]*)[\])]")
+_DECIMAL = re.compile(r"(?<=\d),(?=\d)")
+_MEASURE = re.compile(r"(?:^|\s)[-+.,\d]+\s*$")  # before the brackets: "50 (kN)" names no column
 _PLAIN = ("", "-", "1")  # what people write in a header for no unit
 
 
@@ -86,9 +88,11 @@ def _lines(text: str) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
 
 
 def _delimiter(line: str) -> str:
-    """The sign between a line's cells; commas between semicolons or tabs are those of decimals."""
+    """The sign between a line's cells; of commas between digits alone semicolons or tabs may be it."""
     other = max(";\t", key=line.count)
-    return other if line.count(other) and line.count(",") <= line.count(other) + 1 else ","
+    commas, others = line.count(","), line.count(other)
+    decimals = commas == len(_DECIMAL.findall(line)) <= others + 1
+    return other if others > commas or (others and decimals) else ","
 
 
 def _cells(line: str, delimiter: str) -> list[str]:
@@ -167,6 +171,8 @@ def _names_columns(cells: Sequence[str], units: Mapping[str, str], width: int) -
 def _factor(cell: str, unit: str) -> float | None:
     """By how much the unit in a cell's brackets is greater than `unit`; None of none, or another kind."""
     given = _IN_BRACKETS.search(cell)
+    if given and _MEASURE.search(cell[: given.start()]):
+        return None
     text = given[1].strip() if given else ""
     factor = None if text in _PLAIN else in_unit(f"1 {text}", unit)
     return factor if isinstance(factor, float) else None

@@ -95,12 +95,12 @@ class Seat:
     rounded: float
     spare: float  # by how much the rope is longer than its ends are apart [m]
     before: float  # tension of the rope on the side of its start, beyond the nodes that bear the slide [N]
-    after: float  # ... and of its end; NaN where there is no such segment
-    weighs: float  # weight of the nodes between these two [N]
+    after: float  # ... and of its end; NaN where there is none, or something else holds the rope between
+    weighs: float  # weight of the nodes between these two, and given forces on them [N]
 
     @property
     def uneven(self) -> float:
-        """By how much the tensions beside it differ more than friction, brake and weight make them [N].
+        """By how much the tensions beside it differ more than friction, weight and forces make them [N].
 
         On a line without segments it is 0: what rests in a bump between two nodes makes it.
         """
@@ -256,10 +256,12 @@ def _beside(model: Model, tension: Floats, row: int, at: float) -> tuple[float, 
     first, last = int(table.first[row]), int(table.last[row])
     middle = first + math.floor(at + 0.5)
     a, b = middle - 2, middle + 1  # segments
-    if a < first or b >= last:
+    others = {*model.layout.tied_nodes, *model.layout.anchor_nodes} & set(range(a + 1, b + 1))
+    if a < first or b >= last or others:
         return math.nan, math.nan, math.nan
-    pull = float(np.linalg.norm(model.scene.gravity))
-    return float(tension[a]), float(tension[b]), pull * float(model.state.mass[a + 1 : b + 1].sum())
+    pull, own = float(np.linalg.norm(model.scene.gravity)), slice(a + 1, b + 1)
+    given = float(np.linalg.norm(model.state.forces.applied[:, own], axis=0).sum())
+    return float(tension[a]), float(tension[b]), pull * float(model.state.mass[own].sum()) + given
 
 
 def _rounded(table: Any, x: Floats, row: int) -> float:
