@@ -13,6 +13,7 @@ from ropewalk.analysis.linear_theory import sideways_share
 from ropewalk.analysis.stability import Stability, stability
 from ropewalk.live.meter import measure
 from ropewalk.lowering import build
+from ropewalk.lowering.choice import accurate_step
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
     Air,
@@ -228,6 +229,12 @@ def test_a_rope_on_a_drum_falls_as_far_as_one_that_is_out() -> None:
     assert out < 0.8 * short
     for drop in drops:
         assert stability(drop).bound == pytest.approx(out, rel=0.03)
+
+    def accurate(drum: float) -> float:
+        model = build(hanging(5.0, on_drum=drum))
+        return accurate_step("rk4", model.scene, model.system, model.state)
+
+    assert accurate(2.0) == accurate(200.0)  # for what is out
 
 
 def test_weak_growth_is_told_from_breaking() -> None:

@@ -122,10 +122,14 @@ def test_what_rests_in_a_bump_of_steep_sides_is_told() -> None:
     rests = trolley(5.2)
     line = rests.ropes[0].replace(forces=[Force(node=11, force=(3.0, 0.0, 0.0))])
     drawn = rests.replace(ropes=[line, *rests.ropes[1:]])  # a given force is no bump
-    for flat in (trolley(4.0), trolley(4.0, 0.05), trolley(0.3, brake=100.0), drawn):
+    held = trolley(2.2, drop=0.0, length=10.3, segments=12, brake=1000.0)
+    second = held.ropes[1].replace(name="second")
+    both = [*held.slides, held.slides[0].replace(rope="second", name="beside", at=2.9)]
+    crowded = held.replace(ropes=[*held.ropes, second], slides=both)  # the other one's brake
+    for flat in (trolley(4.0), trolley(4.0, 0.05), trolley(0.3, brake=100.0), drawn, crowded):
         _, found = slope(flat)
-        assert found.seats[0].uneven == 0.0
-        assert "apart" not in str(found.seats[0])
+        assert {seat.uneven for seat in found.seats} == {0.0}
+        assert not any("apart" in str(seat) for seat in found.seats)
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.05])

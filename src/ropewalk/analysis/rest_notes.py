@@ -84,8 +84,6 @@ def rest_warnings(model: Model, statics: Statics) -> list[str]:
             "the shape of rest was not looked for, as more than its weight acts on more than 100000 nodes: "
             "sag and tension given here are those under weight alone. ropewalk settle looks for it"
         ]
-    if statics.trouble:
-        return [f"{statics.trouble}. Sag and tension given here are those of a shape near to it"]
     return [
         f"no shape of rest was found ({statics.residual:.2g} N are left on a node): sag and tension "
         "given here are those of a shape near to it"

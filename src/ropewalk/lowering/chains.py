@@ -183,11 +183,11 @@ def _bent(chain: Chain, system: System, state: State, lengths: Floats, exits: In
     return chain._replace(bending=bending, damping_bending=rubbing)
 
 
-def speed_scale(system: System, state: State) -> float:
+def speed_scale(system: System, state: State, *, drums: bool = True) -> float:
     """Return the speed of what a scene sets going [m/s].
 
     The fastest of: initial velocities against the wind, anchors and obstacles, and a fall through the rope's
-    length, with what waits on its drums.
+    length, with what waits on its drums if they count.
     """
     wind = flow(system)[:, None]
     start = float(np.linalg.norm(state.v - wind, axis=0).max())
@@ -195,7 +195,8 @@ def speed_scale(system: System, state: State) -> float:
     if state.forces.applied.any():
         whole = np.linalg.norm(state.forces.applied, axis=0).sum() / state.mass.sum()
         pull += float(whole)
-    fall = math.sqrt(2.0 * pull * (float(state.rest_length.sum()) + _on_drums(system, state)))
+    length = float(state.rest_length.sum()) + (_on_drums(system, state) if drums else 0.0)
+    fall = math.sqrt(2.0 * pull * length)
     moved = driven_speed(system)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
 

@@ -81,7 +81,7 @@ def bounds_stretch(scene: Scene, method: str) -> bool:
 def accurate_step(name: str, scene: Scene, system: System, state: State) -> float:
     """Return the step at which a method errs by about the aim [s]."""
     length = max(rope.length_unstretched for rope in scene.ropes)
-    speed = speed_scale(system, state)
+    speed = speed_scale(system, state, drums=False)  # of what is out, as the length is
     rate = max(speed / length if length > 0.0 else 0.0, fastest_turn(system.anchors))
     if rate == 0.0:
         return math.inf

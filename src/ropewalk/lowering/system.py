@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -17,7 +16,6 @@ from ropewalk.core.arrays import (
     Limiter,
     State,
     System,
-    Winches,
     Work,
 )
 from ropewalk.core.peaks import no_peaks
@@ -34,8 +32,9 @@ from ropewalk.lowering.masses import line, line_density, masses, passing
 from ropewalk.lowering.motion_rows import anchor_tables
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.remembered import with_memory
-from ropewalk.lowering.slide_checks import put_on_ropes, shortest_length
+from ropewalk.lowering.slide_checks import put_on_ropes
 from ropewalk.lowering.variant import rare_of
+from ropewalk.lowering.winch_tables import winch_tables, winches_of
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Rope, Scene, Springs
@@ -250,7 +249,9 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
         ),
         limiter=keep("limiter", _limiter, limiter, order),
         anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
-        winches=_winches(scene, layout) if scene.winches else keep("no winches", _table_of, ()),
+        winches=winch_tables(scene, layout)
+        if scene.winches
+        else keep("no winches", winches_of, ()),
         bending=no_bending(),
         joints=joints,
         elastic=elastic,
@@ -323,52 +324,6 @@ def _limiter(limiter: LimiterInScene | None, order: Order | None) -> Limiter:
         none = np.zeros(0, np.int64)
         return Limiter(0, 0.0, math.inf, 0, none, np.zeros(0), none, np.zeros((2, 0), np.int64))
     return Limiter(1, limiter.min_stretch, limiter.max_stretch, limiter.passes, *order)
-
-
-def _winches(scene: Scene, layout: Layout) -> Winches:
-    rows = []
-    for winch in scene.winches:
-        rope, span = scene.rope_named(winch.rope), layout.span(winch.rope)
-        at_start = winch.end == "start"
-        drum = span.start if at_start else span.end
-        length = rope.segment_length
-        friction = rope.segment_friction * length
-        form = (friction, 0.0) if rope.made_of.friction == "vector" else (0.0, friction)
-        rows.append(
-            (
-                layout.anchor_nodes.index(drum),
-                span.first if at_start else span.last,
-                span.last if at_start else span.first,
-                1 if at_start else -1,
-                _next_load(rope, span, at_start),
-                winch.speed,
-                winch.start,
-                winch.stop,
-                length,
-                shortest_length(scene, winch, length),
-                winch.max_length or math.inf,
-                span.length_on_drum(winch.end, length) if winch.on_drum is None else winch.on_drum,
-                rope.segment_stiffness * length,
-                *form,
-                line_density(rope),
-            )
-        )
-    return _table_of(rows)
-
-
-def _next_load(rope: Rope, span: Span, at_start: bool) -> int:
-    """Return the node between a rope's ends with a load that is next to this end; -1: none."""
-    nodes = {rope.node_index(load.node) for load in rope.loads} - {0, rope.segments}
-    if not nodes:
-        return -1
-    return span.start + (min(nodes) if at_start else max(nodes))
-
-
-def _table_of(rows: Sequence[tuple[float, ...]]) -> Winches:
-    columns = np.array(rows, dtype=np.float64).reshape(-1, 16).T
-    anchor, first, last, step, load = (column.astype(np.int64) for column in columns[:5])
-    rest = (np.ascontiguousarray(column) for column in columns[5:])
-    return Winches(anchor, first, last, step, load, *rest)
 
 
 def _hold(system: System, state: State, keep: Pieces) -> None:

@@ -138,7 +138,9 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
 
 def _steady(result: Result, worst: float, share: float) -> str:
     """Say what the largest error [J] is a share of [%] where hardly any of that of motion changes."""
-    moving = result.energy["kinetic"][: result.good_frames]
+    from ropewalk.record.turnover import own_kinetic  # which needs this module
+
+    moving = own_kinetic(result)
     whole = float(moving[np.isfinite(moving)].max(initial=0.0))
     turned = 100.0 * worst / share if share > _TOLD else math.inf
     if not turned < _NOTHING * whole:

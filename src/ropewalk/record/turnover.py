@@ -82,6 +82,14 @@ def share_turned(result: Result) -> float:
     return max(shares) if turned > 0.0 or touched[-1] > 0.0 else math.nan
 
 
+def own_kinetic(result: Result) -> Floats:
+    """Return the kinetic energy before a break as who goes along sees it [J], (frames,)."""
+    good = result.good_frames
+    kinetic: Floats = result.energy["kinetic"][:good]
+    carried = _carried(result, good)
+    return kinetic - carried.kinetic if carried else kinetic
+
+
 def _ratio(part: float, whole: float) -> float:
     return 100.0 * float(part) / whole if whole > 0.0 else 0.0
 

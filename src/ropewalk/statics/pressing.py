@@ -101,6 +101,7 @@ class Watch:
 
     def see(self, x: Floats) -> None:
         """Look at places (3, n) [m] on the way."""
+        self.across = None  # the ropes went on without
         for i, o, depth in self._deeper(x, on_way=True):
             self.deep[i, o] = max(depth, self.deep.get((i, o), 0.0))
 

@@ -226,10 +226,11 @@ def _turn(model: Model, x: Floats, segments: Ints, pressed: Floats) -> float:
 def seats(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Seat, ...]:
     """Return where what slides is at places (3, n) [m], with what `State.memory` carries there."""
     table, found = model.system.node.slide, []
-    for row, slide in enumerate(model.scene.slides):
+    for row in range(len(model.scene.slides)):
         look(x, table, memory.slide, row)
+    for row, slide in enumerate(model.scene.slides):
         sight = memory.slide.sight[row]
-        before, after, weighs = _beside(model, tension, row, float(sight[AT]))
+        before, after, weighs = _beside(model, tension, row, memory.slide.sight[:, AT])
         found.append(
             Seat(
                 slide=slide.name,
@@ -250,14 +251,19 @@ def seats(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Seat, 
     return tuple(found)
 
 
-def _beside(model: Model, tension: Floats, row: int, at: float) -> tuple[float, float, float]:
-    """Return tensions beside the three nodes that bear a slide, `at` in segments, and their weight [N]."""
+def _beside(model: Model, tension: Floats, row: int, at: Floats) -> tuple[float, float, float]:
+    """Return tensions beside the three nodes that bear a slide, and their weight and forces on them [N].
+
+    NaN beside what has a tension of its own. `at`: where slides are on their ropes (slides,) [segments].
+    """
     table = model.system.node.slide
     first, last = int(table.first[row]), int(table.last[row])
-    middle = first + math.floor(at + 0.5)
+    middle = first + math.floor(float(at[row]) + 0.5)
     a, b = middle - 2, middle + 1  # segments
     others = {*model.layout.tied_nodes, *model.layout.anchor_nodes} & set(range(a + 1, b + 1))
-    if a < first or b >= last or others:
+    riders = [k for k in np.flatnonzero(table.first == first) if k != row]
+    crowded = any(a - 0.5 <= first + float(at[k]) <= b + 1.5 for k in riders)
+    if a < first or b >= last or others or crowded:
         return math.nan, math.nan, math.nan
     pull, own = float(np.linalg.norm(model.scene.gravity)), slice(a + 1, b + 1)
     given = float(np.linalg.norm(model.state.forces.applied[:, own], axis=0).sum())
