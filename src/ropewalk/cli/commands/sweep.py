@@ -220,7 +220,7 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     ended = ", ".join(f"{count} {how}" for how, count in found["ended"].items())
     seed = "" if found["seed"] is None else f", seed {found['seed']}"
     rows = [
-        ("runs", f"{found['done']} of {counted(found['runs'], 'run')} made: {ended or 'none yet'}"),
+        ("runs", f"{found['done']} of {found['runs']} made: {ended or 'none yet'}"),
         ("design", f"{found['design']}{seed}"),
         ("batches", f"{found['batches done']} of {found['batches']} stored"),
         ("ropewalk", str(found["provenance"].get("ropewalk", ""))),
