@@ -91,5 +91,5 @@ def test_a_page_to_share_has_them_and_keeps_its_digits(broken: Result) -> None:
 )
 def test_one_is_not_several(frames: int, left_out: int, single: int, said: list[str]) -> None:
     times = np.arange(float(frames + single))
-    text = _about(times, left_out, {"positions": 1e-4, "tension": 1e-2}, single)
+    text = _about(times, 60.0, left_out, {"positions": 1e-4, "tension": 1e-2}, single)
     assert all(one in text for one in said), text

@@ -141,7 +141,8 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     rests = statics.solved or not may_say_nothing(model)
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
-    taut, largest = tension > 0.0, pull_told(float(tension.max(initial=0.0)), statics.rounding)
+    left = statics.residual if statics.solved else 0.0  # else it is no rounding
+    taut, largest = tension > 0.0, pull_told(float(tension.max(initial=0.0)), left)
     about, tightest = (model.scene, model.layout), span.start + int(np.argmax(tension))
     pull = float(statics.tension[tightest])
     ends = borne_at(about, tightest, pull, statics.reactions, statics.positions)

@@ -30,7 +30,6 @@ if TYPE_CHECKING:
 MOST = 0.01  # [1] of weight times length
 TURNED = 5.0  # [%] of the energy turned over: more than that is no ledger
 _NOTHING = 1e-4  # [1] of weight times length: a rope that hardly moves turns over nothing
-_TOLD = 1.0  # [%] of the energy turned over: of a larger share it is told what it is a share of
 _WITH_JUMPS = ("limiter", "winch", "clamps", PARTING)
 
 
@@ -108,8 +107,6 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     """
     scene, plan = result.scene, result.plan
     error = error[np.isfinite(error)]
-    if error.size and (steady := _steady(result, float(np.abs(error).max()), share)):
-        return steady
     if result.facts.provenance.get("live"):
         return _OF_HANDS if share > TURNED else ""
     automatic = "auto" in (scene.run.method, scene.run.time_step)
@@ -133,21 +130,6 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
         f"{abs(worst):.3g} J, {percent(share, 3)} of the energy turned over, are in no law's work: some of "
         f"the motion is too fast for {plan.method}'s {steps}. Do not trust works, nor "
         f"places after it; take {remedy}"
-    )
-
-
-def _steady(result: Result, worst: float, share: float) -> str:
-    """Say what the largest error [J] is a share of [%] where hardly any of that of motion changes."""
-    from ropewalk.record.turnover import own_kinetic  # which needs this module
-
-    moving = own_kinetic(result)
-    whole = float(moving[np.isfinite(moving)].max(initial=0.0))
-    turned = 100.0 * worst / share if share > _TOLD else math.inf
-    if not turned < _NOTHING * whole:
-        return ""
-    return (
-        f"the share is large as hardly any energy is turned over, {turned:.3g} J: of the {whole:.4g} J of "
-        f"motion the error is {percent(100.0 * worst / whole)}"
     )
 
 

@@ -27,7 +27,7 @@ from ropewalk.record.tension_notes import (
     push_note,
     tension_note,
 )
-from ropewalk.record.turnover import share_turned
+from ropewalk.record.turnover import share_turned, steady_note
 from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.pushes import largest_push
@@ -73,7 +73,11 @@ def summary(result: Result) -> dict[str, Any]:
         "largest energy error, share of the energy turned over [%]": share,
         **(
             {"about the energy": note}
-            if (note := lost_note(result) or energy_note(result, errors.ravel(), share))
+            if (
+                note := lost_note(result)
+                or steady_note(result, _largest(errors), share)
+                or energy_note(result, errors.ravel(), share)
+            )
             else {}
         ),
         **({"about the stretch limiter": note} if (note := limiter_note(result)) else {}),

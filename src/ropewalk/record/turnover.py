@@ -27,6 +27,7 @@ from ropewalk.lowering.masses import line, masses
 from ropewalk.record.balances import weight_times_length
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.motions import Fixed
+from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -36,6 +37,8 @@ Bools = NDArray[np.bool_]
 _TOUCHING = tuple(law.name for law in NODE_LAWS if law.touch is not None)
 _VALUES = 1_000_000  # numbers of one quantity looked at together
 _LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
+_TOLD = 1.0  # [%] of the energy turned over: of a larger share it is told what it is a share of
+_LITTLE = 1e-4  # [1] of the energy of motion: less turned over is hardly any
 _STILL = 1e-10  # [1] of the energies, or of weight times length: where less is turned over, nothing moves
 
 
@@ -82,7 +85,21 @@ def share_turned(result: Result) -> float:
     return max(shares) if turned > 0.0 or touched[-1] > 0.0 else math.nan
 
 
-def own_kinetic(result: Result) -> Floats:
+def steady_note(result: Result, worst: float, share: float) -> str:
+    """Say what the largest error [J] is a share of [%] where hardly any energy of motion changes; else ""."""
+    if not share > _TOLD:
+        return ""
+    moving, turned = _own_kinetic(result), 100.0 * worst / share
+    whole = float(moving[np.isfinite(moving)].max(initial=0.0))
+    if not turned < _LITTLE * whole:
+        return ""
+    return (
+        f"the share is large as hardly any energy is turned over, {turned:.3g} J: of the {whole:.4g} J of "
+        f"motion the error is {percent(100.0 * worst / whole)}"
+    )
+
+
+def _own_kinetic(result: Result) -> Floats:
     """Return the kinetic energy before a break as who goes along sees it [J], (frames,)."""
     good = result.good_frames
     kinetic: Floats = result.energy["kinetic"][:good]

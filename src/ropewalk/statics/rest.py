@@ -94,14 +94,10 @@ class Statics:
         return self.solved or self.steps > 0 or len(self.positions) <= _LARGE
 
     @property
-    def rounding(self) -> float:
-        """Up to which force a pull is rounding [N]: what is left on a node at rest; 0 where it is none."""
-        return self.residual if self.solved else 0.0
-
-    @property
     def largest_tension(self) -> float:
         """Largest tension of any segment [N]; 0 where no rope is held, or where it is rounding."""
-        return pull_told(float(self.tension.max(initial=0.0)), self.rounding)
+        left = self.residual if self.solved else 0.0
+        return pull_told(float(self.tension.max(initial=0.0)), left)
 
     @property
     def largest_push(self) -> float:
