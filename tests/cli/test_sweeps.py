@@ -341,9 +341,9 @@ def test_one_run_is_told_as_one_and_folders_as_they_are_typed(
     rw.sweep(short, {"gravity[2]": [-9.0]}, store=tmp_path / "a sweep", on="here")
     (tmp_path / "a sweep" / "data.zarr" / "done" / "marks" / "c.0").unlink()
     told = ropewalk("info", "a sweep").stdout
-    assert "0 of 1 run made" in told
+    assert "0 of 1 made" in told
     assert "go on with: ropewalk resume 'a sweep'" in told
     rw.sweep.resume(tmp_path / "a sweep", on="here")
     told = ropewalk("info", "a sweep").stdout
-    assert "1 of 1 run made: 1 finished" in told
+    assert "1 of 1 made: 1 finished" in told
     assert "of 1 run, 5 % and 95 %" in told
