@@ -26,7 +26,6 @@ from ropewalk.scene import (
     save,
     schema,
 )
-from ropewalk.scene.csv_columns import read_columns
 from ropewalk.scene.guess import Guess
 from ropewalk.scene.paths import keys, kind_of, sections
 
@@ -217,23 +216,6 @@ def test_comments_in_words_are_passed_over(tmp_path: Path, head: str) -> None:
     (tmp_path / "scene.toml").write_text(TABLE)
     motion = load(tmp_path / "scene.toml").anchors[0].motion
     assert motion == Table(times=[0, 1], positions=[(0, 0, 0), (0.5, 0, 0)])
-
-
-@pytest.mark.parametrize(
-    "head",
-    [
-        "# strain [%], tension [kN]; specimen 3\n",
-        "strain [%], tension [kN];\n",
-        "strain [%],\ttension [kN]\n",
-        "# load cell of 50 (kN)\n# strain [%], tension [kN]\n",
-        "# strain [%], tension [kN]\n# load cell of 50 (kN)\n",
-    ],
-)
-def test_signs_beside_commas_hide_no_header(tmp_path: Path, head: str) -> None:
-    """With a semicolon in its comment a curve lost its header, and had its columns swapped."""
-    (tmp_path / "curve.csv").write_text(head + "0,0\n1,0.02\n")
-    columns = {"tension": "N", "strain": "1"}
-    assert read_columns(tmp_path, "curve.csv", columns) == [[0.0, 20.0], [0.0, 0.01]]
 
 
 @pytest.mark.parametrize(
