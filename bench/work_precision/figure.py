@@ -26,7 +26,7 @@ def looks(family: str, name: str) -> dict[str, object]:
     if family == "numpy":
         return {"color": "black", "ls": "--", "lw": 1.1, "marker": "x", "ms": 4.5}
     place = list(METHODS).index(name)
-    implicit = place > list(METHODS).index("rk4")
+    implicit = METHODS[name].implicit
     return {
         "color": COLOURS[place % len(COLOURS)],
         "ls": "-" if implicit else "--",

@@ -79,8 +79,8 @@ def seen(name: str) -> np.ndarray:
     return np.array([right, np.cross(to, right), to])
 
 
-def draw(axes: Axes, name: str, model: Scene, x: np.ndarray) -> None:
-    """Draw ropes and post at places (3, n), from far to near."""
+def draw(axes: Axes, name: str, model: Scene, x: np.ndarray, caps: str = "butt") -> None:
+    """Draw ropes and post at places (3, n), from far to near; round caps have no teeth in sharp bends."""
     lines, at = [], 0
     for rope, colours in zip(model.ropes, ROPES, strict=False):
         place = np.arange(rope.nodes)
@@ -115,7 +115,7 @@ def draw(axes: Axes, name: str, model: Scene, x: np.ndarray) -> None:
             [p[1] for p in pieces],
             linewidths=[p[2] for p in pieces],
             colors=[p[3] for p in pieces],
-            capstyle="butt",
+            capstyle=caps,
         )
     )
 

@@ -6,7 +6,6 @@ import { dot, plus, vector } from "./view/vector.js";
 import { alike } from "./input/counterpart.js";
 import { placeOf } from "./input/pick.js";
 import {
-  CONTACT,
   CROWD,
   REACTION,
   drawnOf,
@@ -18,6 +17,7 @@ import {
   numberedOf,
   strongestOf,
 } from "./reactions.js";
+import { CONTACT, arrowsOf, firmestOf, pushesOf } from "./touches.js";
 import { Trails, fliers } from "./render/trails.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
@@ -31,9 +31,6 @@ import { Trails, fliers } from "./render/trails.js";
 /** @typedef {{id: string, from: Vector, at: Vector, text: string,
  *   kind: "reaction" | "given" | "grab" | "kick"}} Label beside the tip of an arrow; `id` tells it from others */
 
-const LEAST_CONTACT = 0.03; // of the strongest contact, below which there is no arrow
-const HEADLESS = 0.2; // of the strongest contact, below which arrows have no head
-const MOST_CONTACTS = 200; // arrows
 const MOST_LABELS = CROWD;
 const MOST_POSTS = 24;
 const MANY = 12; // anchors
@@ -51,7 +48,7 @@ export class Marks {
     this.viewport = viewport;
     this.dirty = true;
     this.reactions = true;
-    this.contacts = true; // whether the forces of obstacles are shown
+    this.contacts = true; // whether the forces of contacts are shown
     /** The contact force that has the longest arrow [N]; 0: there is none to see. */
     this.firmest = 0;
     /** @type {Trails | null} */ this.trails = null;
@@ -291,28 +288,16 @@ export class Marks {
     }
   }
 
-  /** What obstacles do to nodes: the longest arrow is the strongest's. */
+  /** What obstacles and other ropes do to ropes: the longest arrow is the strongest's. */
   addContacts() {
     const { session, theme, nodes, camera } = this.viewport;
-    const { contact } = /** @type {Frame} */ (session.frame).parts[0];
-    let strongest = 0;
-    for (let i = 0; i < contact.length; i += 3)
-      strongest = Math.max(strongest, Math.hypot(contact[i], contact[i + 1], contact[i + 2]));
+    const pushes = pushesOf(/** @type {Frame} */ (session.frame).parts[0], nodes.shown);
+    const strongest = firmestOf(pushes);
     if (!Number.isFinite(strongest)) return;
     const calm = session.status?.playing ? 0.98 * this.firmest : 0; // it does not flicker
     this.firmest = Math.max(strongest, calm);
-    if (!this.contacts || !(this.firmest > 1e-9)) return;
-    const per = (CONTACT * camera.pose.distance) / camera.focal / this.firmest;
-    const least = LEAST_CONTACT * this.firmest;
-    const every = Math.max(1, Math.ceil(contact.length / 3 / MOST_CONTACTS));
-    for (let node = 0; node < contact.length / 3; node += every) {
-      const force = vector(contact.subarray(3 * node, 3 * node + 3));
-      if (Math.hypot(...force) < least) continue;
-      const from = vector(nodes.shown.subarray(4 * node, 4 * node + 3));
-      const to = plus(from, force, per);
-      const head = Math.hypot(...force) > HEADLESS * this.firmest;
-      this.touches.push({ from, to, colour: theme.contact, pixels: 2, head });
-    }
+    const longest = (CONTACT * camera.pose.distance) / camera.focal;
+    if (this.contacts) this.touches = arrowsOf(pushes, this.firmest, longest, theme.contact);
   }
 
   /** The springs of hands, this page's and others'. @param {Marker[]} markers @param {Arrow[]} arrows */

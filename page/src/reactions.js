@@ -1,5 +1,6 @@
 // What anchors hold: the forces behind their arrows, and the room that these need in a picture.
 
+import { contactTips } from "./touches.js";
 import { minus, plus, unit, vector } from "./view/vector.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
@@ -11,7 +12,6 @@ import { minus, plus, unit, vector } from "./view/vector.js";
  * @typedef {{variant: number, a: number, anchor: Layout["variants"][0]["anchors"][0], place: Vector, force: Vector,
  *   size: number, peak: number}} Holding */
 
-export const CONTACT = 56; // length of the longest arrow of a contact [CSS pixels]
 export const REACTION = 84; // length of the longest arrow [CSS pixels]
 export const LEAST = 0.1; // of the strongest, below which there is neither arrow nor label: the eye hides it
 export const CROWD = 8; // anchors, up to which all have their arrows; numbers, at most
@@ -108,25 +108,6 @@ function coming({ nodes, starts, session }, held, length) {
     const along = minus(place, nodes.to.subarray(4 * node, 4 * node + 3));
     return [plus(place, unit(along), length)];
   });
-}
-
-/** Where the arrows of contacts end [m], as long as they are for a camera.
- * @param {Viewport} viewport @param {Camera} camera @returns {Vector[]} */
-export function contactTips({ session, nodes, marks }, camera) {
-  if (!session.frame || !marks.contacts) return [];
-  const { contact } = session.frame.parts[0];
-  const forces = Array.from({ length: contact.length / 3 }, (_, node) =>
-    vector(contact.subarray(3 * node, 3 * node + 3)),
-  );
-  const sizes = forces.map((force) => Math.hypot(...force));
-  const firmest = sizes.reduce((most, size) => Math.max(most, size), marks.firmest);
-  if (!(firmest > 1e-9 && firmest < Infinity)) return [];
-  const per = (CONTACT * camera.pose.distance) / camera.focal / firmest;
-  return forces.flatMap((force, node) =>
-    sizes[node] < LEAST * firmest
-      ? []
-      : [plus(vector(nodes.to.subarray(4 * node, 4 * node + 3)), force, per)],
-  );
 }
 
 /** What a picture must keep free around its ropes, so that arrows and their labels are in it, too, and under no bar

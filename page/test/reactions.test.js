@@ -3,7 +3,8 @@ import { test } from "node:test";
 
 import { Framing } from "../src/framing.js";
 import { partNear } from "../src/solids.js";
-import { contactTips, drawnOf, hasTail, numberedOf, roomFor } from "../src/reactions.js";
+import { drawnOf, hasTail, numberedOf, roomFor } from "../src/reactions.js";
+import { contactTips, strongestOfEach } from "../src/touches.js";
 import { crowdText, endText } from "../src/panels/legend.js";
 import { Camera } from "../src/view/camera.js";
 
@@ -56,6 +57,7 @@ test("the arrow of a contact is given room, too", () => {
   made.nodes = { to: new Float32Array([0, 0, 3, 0]) };
   Object.assign(made.marks, { contacts: true, firmest: 0 });
   made.session.frame.parts[0].contact = new Float32Array([0, 0, 7]);
+  made.session.frame.parts[0].ropeContacts = new Float32Array(0);
   const [tip] = contactTips(made, camera);
   const [, foot] = camera.project(0, 0, 3);
   const [, y] = camera.project(...tip);
@@ -180,4 +182,13 @@ test("of a body the picture holds what is near the ropes", () => {
 test("an end of the legend that rounding left says zero", () => {
   assert.equal(endText(-5.5e-9, 1, 6.4), "0");
   assert.equal(endText(-5.5e-3, 1, 6.4), "−0.0055");
+});
+
+test("of many contacts the strongest has its arrow", () => {
+  const contact = new Float32Array(3 * 501);
+  contact[3 * 100 + 2] = 1;
+  contact[3 * 101 + 1] = -5; // every third one was drawn, 99 and 102
+  const drawn = strongestOfEach(contact, 200);
+  assert.ok(drawn.length <= 200 && drawn.includes(101) && !drawn.includes(100));
+  assert.deepEqual(strongestOfEach(contact.subarray(0, 9), 200), [0, 1, 2]);
 });

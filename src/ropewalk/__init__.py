@@ -12,7 +12,7 @@ Units are SI throughout. Heavy parts (figures, run folders) load when they are f
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, get_args
 
 if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same at run time
     from ropewalk.api import BrokenRun as BrokenRun
@@ -33,21 +33,33 @@ if TYPE_CHECKING:  # what type checkers and editors see; `_HOMES` loads the same
     from ropewalk.rigging import line as line
     from ropewalk.scene import Air as Air
     from ropewalk.scene import Anchor as Anchor
+    from ropewalk.scene import Box as Box
+    from ropewalk.scene import Capsule as Capsule
     from ropewalk.scene import Clamp as Clamp
     from ropewalk.scene import Contact as Contact
+    from ropewalk.scene import Cylinder as Cylinder
     from ropewalk.scene import Force as Force
     from ropewalk.scene import Ground as Ground
+    from ropewalk.scene import HalfPipe as HalfPipe
     from ropewalk.scene import Joint as Joint
     from ropewalk.scene import Limiter as Limiter
     from ropewalk.scene import Load as Load
     from ropewalk.scene import Material as Material
+    from ropewalk.scene import Mesh as Mesh
+    from ropewalk.scene import Pair as Pair
+    from ropewalk.scene import Plane as Plane
     from ropewalk.scene import Ring as Ring
     from ropewalk.scene import Rope as Rope
+    from ropewalk.scene import RopePair as RopePair
     from ropewalk.scene import RunSettings as RunSettings
     from ropewalk.scene import Scene as Scene
     from ropewalk.scene import SceneError as SceneError
+    from ropewalk.scene import Sdf as Sdf
     from ropewalk.scene import Slide as Slide
+    from ropewalk.scene import Sphere as Sphere
+    from ropewalk.scene import Spin as Spin
     from ropewalk.scene import Springs as Springs
+    from ropewalk.scene import Torus as Torus
     from ropewalk.scene import Winch as Winch
     from ropewalk.scene import dumps as dumps
     from ropewalk.scene import load as load
@@ -88,6 +100,18 @@ _HOMES = {
     "Slide": "scene",
     "Springs": "scene",
     "Winch": "scene",
+    "Box": "scene",
+    "Capsule": "scene",
+    "Cylinder": "scene",
+    "HalfPipe": "scene",
+    "Mesh": "scene",
+    "Pair": "scene",
+    "Plane": "scene",
+    "RopePair": "scene",
+    "Sdf": "scene",
+    "Sphere": "scene",
+    "Spin": "scene",
+    "Torus": "scene",
     "load": "scene",
     "loads": "scene",
     "dumps": "scene",
@@ -144,11 +168,16 @@ _COMMANDS = {"settle": "equilibrium", "new": "preset", "info": "open", "ropes": 
 
 
 def _where(name: str) -> str:
-    """Say where a name is that is looked for here; obstacles, shapes and motions are in `scene`."""
+    """Say where a name is that is looked for here; shapes and motions are in `scene`."""
     if name in _COMMANDS:
         return f"; what the command {name!r} does is ropewalk.{_COMMANDS[name]}"
-    scene = None if name.startswith("_") else import_module("ropewalk.scene")
-    return f"; it is ropewalk.scene.{name}" if hasattr(scene, name) else ""
+    thing = None if name.startswith("_") else getattr(import_module("ropewalk.scene"), name, None)
+    if thing is None:
+        return ""
+    kinds = [kind.__name__ for union in get_args(thing) for kind in get_args(union)]
+    if kinds:
+        return f"; it is one of {', '.join(kinds)}, all in ropewalk.scene"
+    return f"; it is ropewalk.scene.{name}"
 
 
 def __dir__() -> list[str]:

@@ -12,6 +12,7 @@ from typing import Any
 import click
 import pytest
 
+from ropewalk.analysis.check import check
 from ropewalk.cli import main
 from ropewalk.scene import Scene, SceneError, loads
 from ropewalk.scene.presets import preset_text
@@ -182,6 +183,14 @@ def test_what_touches_begins_without_a_jerk(name: str) -> None:
         weight = 9.81 * (sum(rope.own_mass for rope in scene.ropes) + sum(loads_on))
         pulled = Simulation(scene).recording().recording.tension
         assert abs(pulled).max() < 1.2 * weight, text
+
+
+@pytest.mark.parametrize("name", ["obstacles", "pulleys", "touching", "pile"])
+def test_no_scene_of_a_page_has_segments_that_check_calls_too_long(name: str) -> None:
+    """The lever's rope lay on its plank in segments of 50 mm, of which `check` said at most 20 mm."""
+    for text in blocks(ROOT / f"docs/how-to/{name}.md", "toml"):
+        warnings = check(loads(text), measure=False).warnings
+        assert not [said for said in warnings if "take more segments" in said], text
 
 
 def test_contributing_names_files_and_targets_that_are_there() -> None:

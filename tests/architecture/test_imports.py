@@ -6,8 +6,11 @@ import json
 import subprocess
 import sys
 from pathlib import Path
+from typing import get_args
 
 import pytest
+
+from ropewalk.scene import Obstacle
 
 ROOT = Path(__file__).resolve().parents[2]
 HEAVY = {"matplotlib", "xarray", "zarr", "scipy", "pandas", "pyarrow", "PIL", "vtk"}
@@ -68,10 +71,28 @@ def test_a_name_of_a_scene_that_is_looked_for_here_is_told_where_it_is() -> None
         AttributeError, match=r"the command 'settle' does is ropewalk\.equilibrium$"
     ):
         ropewalk.settle  # noqa: B018
-    with pytest.raises(AttributeError, match=r"it is ropewalk\.scene\.Cylinder$"):
-        ropewalk.Cylinder  # noqa: B018 - the access is the test
+    with pytest.raises(AttributeError, match=r"it is ropewalk\.scene\.Straight$"):
+        ropewalk.Straight  # noqa: B018 - the access is the test
     with pytest.raises(AttributeError, match=r"'Cylindre'$"):
         ropewalk.Cylindre  # noqa: B018 - the access is the test
+    words = r"it is one of Plane, Sphere, .* Sdf, all in ropewalk\.scene$"
+    with pytest.raises(AttributeError, match=words):
+        ropewalk.Obstacle  # noqa: B018 - the access is the test
+
+
+def test_all_that_a_scene_is_made_of_stands_in_the_package() -> None:
+    """Every kind of obstacle and what it takes, beside ropes, materials, anchors and loads."""
+    import ropewalk as rw
+
+    kinds = {kind.__name__ for kind in get_args(get_args(Obstacle)[0])}
+    assert kinds | {"Spin", "Pair", "RopePair", "Contact", "Rope", "Anchor"} <= set(rw.__all__)
+    drum = rw.Cylinder(start=(0, 0, 0), end=(0, 1, 0), radius=0.1, spin=rw.Spin(rate=1.0))
+    floor = rw.Plane(pair=[rw.Pair(rope="rope", friction=0.1)])
+    contact = rw.Contact(pair=[rw.RopePair(rope="rope", other="rope", friction=0.2)])
+    springs = rw.Springs(spring_constant=1e3, node_mass=0.05, segment_length=0.1)
+    rope = rw.Rope(segments=4, made_of=springs, diameter=0.01)
+    scene = rw.Scene(ropes=[rope], obstacles=[drum, floor], contact=contact)
+    assert rw.loads(rw.dumps(scene)) == scene
 
 
 def test_layers() -> None:

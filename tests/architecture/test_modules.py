@@ -58,7 +58,7 @@ def circle(graph: dict[str, set[str]]) -> list[str]:
 BY_NAME = {
     "core.deferred": "a kernel that another one calls is found by its name",
     "library.entry": "an entry makes materials and ropes, models of the room above",
-    "methods.implicit_methods": "a method has a file of its own name",
+    "methods.names": "a method has a file of its own name",
     "record.drawing": "a result draws itself: figures stand above results",
     "record.outlets": "a result plays, films and shares itself: what does that stands above results",
     "rigging.rolling": "a result draws itself",

@@ -50,6 +50,32 @@ def test_a_preset_runs_by_its_name(ropewalk: Any, tmp_path: Path) -> None:
     assert done.stdout == "runs/r2-1\n"
 
 
+NEAR = """
+[[rope]]
+segments = 2
+length = 0.2
+diameter = 0.01
+made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1 }
+shape = { kind = "straight", start = [0, 0, 0.0052], direction = [1, 0, 0], velocity = [0, 0, -1] }
+
+[[obstacle]]
+kind = "plane"
+
+[run]
+method = "implicit-euler"
+time_step = 0.0002
+duration = 0.01
+"""
+
+
+def test_a_process_of_its_own_finds_what_of_scipy_a_check_needs(process: Any, scene: Path) -> None:
+    """Which it keeps from numba: how fast what starts near an obstacle is thrown back is integrated."""
+    scene.write_text(NEAR)
+    done = done_like(process("run", scene, "-o", "a"))
+    assert done.exit_code == 0, done.output
+    assert "thrown back" in done.stderr
+
+
 def test_json_is_all_that_is_on_stdout(ropewalk: Any, scene: Path) -> None:
     done = ropewalk("run", scene, "--json", "-o", "here", "--set", "rope.segments=8")
     found = json.loads(done.stdout)

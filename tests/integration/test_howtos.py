@@ -87,7 +87,7 @@ def run(section: str, folder: Path) -> subprocess.CompletedProcess[str]:
 
 def test_every_kind_of_thing_has_its_section() -> None:
     assert list(SECTIONS) == [
-        "Add a method", "Add a shape", "Add an anchor motion", "Add an output",
+        "Add a method", "Add an explicit method", "Add a shape", "Add an anchor motion", "Add an output",
     ]  # fmt: skip
 
 

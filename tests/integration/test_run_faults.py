@@ -9,18 +9,16 @@ import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from zipfile import ZipFile
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
 import runs
-from ropewalk.record import checkpoint, lock
+from integration.faulty_runs import edit, fill_disk, flip
 from ropewalk.record.errors import RunError
 from ropewalk.record.folder import verify
 from ropewalk.record.result import Result
-from ropewalk.record.run import record_run
 from ropewalk.record.seal import write_sealed
 
 AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
@@ -29,58 +27,6 @@ AS_ROOT = hasattr(os, "geteuid") and os.geteuid() == 0
 @pytest.fixture(autouse=True)
 def _small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("ropewalk.record.run.chunk_frames", lambda simulation: 16)
-
-
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("whole") / "run"
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("ropewalk.record.run.chunk_frames", lambda simulation: 16)
-        rw.run(runs.hanging(), path)
-    return path
-
-
-@pytest.fixture
-def folder(whole: Path, tmp_path: Path) -> Path:
-    shutil.copytree(whole, tmp_path / "run")
-    return tmp_path / "run"
-
-
-@pytest.fixture
-def stopped(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A run that a full disk stopped in its fourth chunk."""
-    fill_disk(monkeypatch, 4 * 11 + 5)
-    with pytest.raises(RunError, match="no space left on the disk; everything up to"):
-        record_run(runs.hanging(), tmp_path / "run", commit_seconds=0.0)
-    monkeypatch.undo()
-    return tmp_path / "run"
-
-
-def fill_disk(monkeypatch: pytest.MonkeyPatch, after: int) -> None:
-    """Let the disk be full after so many written chunk files."""
-    from ropewalk.record import store
-
-    seen = 0
-
-    def filling(real: Callable[..., None]) -> Callable[..., None]:
-        def write(path: Path, *data: object, **more: object) -> None:
-            nonlocal seen
-            seen += 1
-            if seen > after:
-                raise OSError(28, "No space left on device", str(path))
-            real(path, *data, **more)
-
-        return write
-
-    monkeypatch.setattr(store, "write", filling(store.write))
-    monkeypatch.setattr(store, "write_pages", filling(store.write_pages))
-
-
-def edit(path: Path, key: str, value: object) -> None:
-    """Change one value of a JSON file, and its checksum with it."""
-    found = json.loads(path.read_text()) | {key: value}
-    found.pop("checksum")
-    write_sealed(path, found)
 
 
 def damage_root(folder: Path, change: Callable[[dict[str, object]], None]) -> None:
@@ -276,54 +222,6 @@ def test_a_real_limit_on_file_size(tmp_path: Path) -> None:
     )
 
 
-def test_a_folder_in_use_is_left_alone(stopped: Path) -> None:
-    with lock.locked(stopped):
-        assert Result.open(stopped).status == "running"
-        for use in (
-            lambda: rw.resume(stopped),
-            lambda: rw.run(runs.hanging(), stopped, overwrite=True),
-        ):
-            with pytest.raises(RunError, match="is being written by another process"):
-                use()
-    assert Result.open(stopped).status == "interrupted"
-
-
-def test_other_sources_are_refused_unless_forced(stopped: Path, whole: Path) -> None:
-    edit(stopped / "provenance.json", "source_hash", "other")
-    with pytest.raises(RunError, match="other sources of ropewalk"):
-        rw.resume(stopped)
-    with pytest.warns(UserWarning, match="may not go on to the same bits"):
-        rw.resume(stopped, force=True)
-    assert Result.open(stopped).frames == Result.open(whole).frames
-
-
-@pytest.mark.parametrize("name", ["numpy", "numba"])
-def test_other_versions_are_refused_and_named(stopped: Path, name: str) -> None:
-    edit(stopped / "provenance.json", name, "0.1")
-    with pytest.raises(RunError, match=rf"begun with {name} 0.1 \(here: \d"):
-        rw.resume(stopped)
-
-
-def test_another_scene_is_refused_and_another_comment_is_not(stopped: Path) -> None:
-    path = stopped / "scene.toml"
-    text = path.read_text()
-    changed = text.replace("spring_friction = 0.05", "spring_friction = 0.06")
-    assert changed != text
-    path.write_text(changed)
-    for use in (Result.open, rw.resume, lambda folder: rw.resume(folder, force=True)):
-        with pytest.raises(RunError, match=r"scene\.toml: is damaged or was changed"):
-            use(stopped)
-    path.write_text("# a rope\n" + text)
-    rw.resume(stopped)
-
-
-def flip(path: Path, place: int) -> None:
-    """Change one bit of a file."""
-    data = bytearray(path.read_bytes())
-    data[place % len(data)] ^= 1 << (place % 8)
-    path.write_bytes(data)
-
-
 def test_one_bit_in_any_chunk_is_found(folder: Path) -> None:
     chunks = [path for path in (folder / "data.zarr").glob("*/c.*") if path.is_file()]
     assert len(chunks) > 20
@@ -341,61 +239,3 @@ def test_one_bit_in_any_chunk_is_found(folder: Path) -> None:
                 Result.open(folder).read(name)
         path.write_bytes(sound)
     assert verify(folder).faults == ()
-
-
-def test_a_resumed_run_reads_every_chunk_first(stopped: Path) -> None:
-    chunks = sorted((stopped / "data.zarr").glob("*/c.[01]*"))
-    shown = Result.open(stopped).frames
-    for path in chunks[:: len(chunks) // 8]:
-        flip(path, 33)
-        with pytest.raises(RunError, match="do not fit their checksum"):
-            rw.resume(stopped, force=True)
-        flip(path, 33)
-    assert Result.open(stopped).frames == shown
-    rw.resume(stopped)
-
-
-def test_a_damaged_checkpoint_is_found(stopped: Path) -> None:
-    with ZipFile(
-        stopped / "checkpoint.npz"
-    ) as file:  # between its members lie dates, which nobody needs
-        largest = sorted(file.infolist(), key=lambda member: member.file_size)[-3:]
-    for member in largest:
-        place = member.header_offset + 256 + member.compress_size // 2
-        flip(stopped / "checkpoint.npz", place)
-        (fault,) = verify(stopped).faults
-        assert fault.path.endswith("checkpoint.npz")
-        with pytest.raises(RunError, match=r"checkpoint\.npz: is damaged"):
-            rw.resume(stopped)
-        flip(stopped / "checkpoint.npz", place)
-    assert verify(stopped).faults == ()
-
-
-def test_a_checkpoint_of_another_layout_is_not_called_damaged(stopped: Path) -> None:
-    """As one of before contacts remembered how stiff they are."""
-    found = checkpoint.read(stopped)
-    index = json.loads(str(found["index"]))
-    row = [name for name, *_ in index].index("state.x")
-    index[row][2].reverse()
-    np.savez(stopped / "checkpoint.npz", **found | {"index": json.dumps(index)})
-    with pytest.raises(RunError, match=r"of another version: state\.x does not fit the scene"):
-        rw.resume(stopped)
-
-
-@pytest.mark.parametrize("length", [None, 0, 100])
-def test_a_missing_or_torn_checkpoint(stopped: Path, length: int | None) -> None:
-    path = stopped / "checkpoint.npz"
-    if length is None:
-        path.unlink()
-    else:
-        path.write_bytes(path.read_bytes()[:length])
-    said = r"has no checkpoint" if length is None else r"checkpoint\.npz: is damaged"
-    with pytest.raises(RunError, match=said):
-        rw.resume(stopped)
-    assert Result.open(stopped).frames >= 1
-
-
-def test_a_store_behind_its_checkpoint_is_refused(stopped: Path, whole: Path) -> None:
-    shutil.copy(whole / "checkpoint.npz", stopped / "checkpoint.npz")
-    with pytest.raises(RunError, match=r"data\.zarr: is damaged: it has \d+ frames"):
-        rw.resume(stopped)

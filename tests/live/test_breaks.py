@@ -161,7 +161,7 @@ def test_variants_are_driven_by_the_same_hand() -> None:
     first, second, third = (track.simulation for track in session.tracks)
     assert [track.label for track in session.tracks][1:] == [
         "rk4",
-        "segments = 80, time_step = 0.0005",
+        "Segments 80, Time step 0.0005 s",
     ]
     assert second.plan.method == "rk4"
     assert third.layout.nodes == 81

@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 
 from live.drive import do, refused, slack_rope
-from ropewalk.live.changes import changes_between, same
-from ropewalk.live.describe import parameters
+from ropewalk.live.changes import changes_between, label_of, same
+from ropewalk.live.describe import _variant, parameters
 from ropewalk.live.parameters import PARAMETERS, initial
 from ropewalk.live.session import Session
 from ropewalk.live.sources import address, scene_at
@@ -198,6 +198,58 @@ def test_a_copy_stays_what_its_label_says(own: tuple[str, Any], change: tuple[st
     assert PARAMETERS[own[0]].get(copy, 0) == pytest.approx(own[1])
     do(session, "set", name="gravity", value=[0.0, -1.0, 0.0])
     assert [track.scene.gravity[1] for track in session.tracks] == [-1.0, -1.0]
+
+
+@pytest.mark.parametrize("way", ["back", "undo"])
+def test_a_copy_says_what_it_differs_in_as_it_was_then(way: str) -> None:
+    """After Back its label and its changes were those of later, and a reset ran these."""
+    session = Session(slack_rope())
+    do(session, "compare", variants=[{"changes": {"EA": 2e4}}])
+    copy, stiff = session.tracks[1], "Axial stiffness EA 20 kN"
+    assert (copy.label, copy.changes) == (stiff, {"EA": 2e4})
+    do(session, "kick", node=9, velocity=[0.0, 0.0, 1.0])
+    do(session, "set", name="EA", value=5e4, variant=1)
+    assert (copy.label, copy.changes) == ("Axial stiffness EA 50 kN", {"EA": 5e4})
+    do(session, way, **({"seconds": 1.0} if way == "back" else {}))
+    told = _variant(session.tracks[1], {}, {"rope": 0})
+    assert (told["label"], told["changes"]) == (stiff, {"EA": 2e4})
+    do(session, "reset")
+    assert PARAMETERS["EA"].get(session.tracks[1].scene, 0) == pytest.approx(2e4)
+    do(session, "set", name="method", value="rk4", variant=1)
+    do(session, "set", name="EA", value=None, variant=1)
+    assert session.tracks[1].label == "rk4, Axial stiffness EA 20 kN"
+
+
+def test_a_label_that_was_given_stays_and_others_say_of_which_rope() -> None:
+    """The first change in a copy took its name; of one rope alone it made "variant 2" of "Mass 2 kg"."""
+    session = Session(two())
+    mine = {"changes": {"EA": 2e4}, "label": "stiff"}
+    do(session, "compare", variants=[mine, {"changes": {"mass": 2.0}}])
+    do(session, "set", name="EA", value=5e4, variant=1)
+    do(session, "set", name="mass", value=5.0, rope="b", variant=2)
+    assert [one.label for one in session.tracks[1:]] == ["stiff", "Mass of b 5 kg"]
+    assert session.tracks[1].changes == {"EA": 5e4}
+    do(session, "reset")
+    do(session, "set", name="mass", value=3.0, variant=1)
+    do(session, "set", name="mass", value=3.0, variant=2)
+    assert [one.label for one in session.tracks[1:]] == ["stiff", "Mass 3 kg"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "label"),
+    [
+        ({"mass": 12345.6}, "Mass 12350 kg"),
+        ({"mass": 0.5}, "Mass 0.5 kg"),
+        ({"air_density": 12e3}, "Density of the air 12000 kg/m^3"),
+        ({"segments": 20000}, "Segments 20000"),
+        ({"gravity": (0.0, 0.0, -3.0)}, "Gravity (0, 0, -3) m/s^2"),
+        ({"EA": 2e4}, "Axial stiffness EA 20 kN"),
+        ({"method": "rk4"}, "rk4"),
+    ],
+)
+def test_units_that_have_a_k_or_are_none_get_no_prefix(changes: dict[str, Any], label: str) -> None:
+    """They read 12.35 kkg, 20 k and [0, 0, -3.0]."""
+    assert label_of(changes) == label
 
 
 @pytest.mark.parametrize(

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import asyncio
+import json
 
 import numpy as np
 import pytest
 
 from live.drive import do, r4, slack_rope
+from patience import PATIENCE
 from ropewalk.live import describe, pace
 from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.commands import parse
 from ropewalk.live.frame import HEADER, SCALARS
-from ropewalk.live.hub import UNACKNOWLEDGED, Mailbox
+from ropewalk.live.hub import UNACKNOWLEDGED, Hub, Mailbox
 from ropewalk.live.session import Session
 from ropewalk.scene import Force
 
@@ -180,6 +182,20 @@ def test_a_mailbox_keeps_the_newest_and_waits_for_the_page() -> None:
         box.put_text("done", "a")
         box.put_text("done", "b")
         assert (await box.take())[0] == ["new", "a", "b"]
+
+    asyncio.run(talk())
+
+
+def test_a_page_that_was_told_nothing_yet_is_told_of_the_end() -> None:
+    async def talk() -> None:
+        hub = Hub()
+        hub.attach(asyncio.get_running_loop())
+        early = hub.enter()
+        hub.tell({"type": "status", "speed": 1.0})
+        hub.tell({"type": "bye", "text": "The server has ended.", "folder": None})
+        texts, frame = await asyncio.wait_for(early.take(), PATIENCE)
+        assert [json.loads(text)["type"] for text in texts] == ["bye"]
+        assert frame is None
 
     asyncio.run(talk())
 

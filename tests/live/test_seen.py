@@ -222,7 +222,7 @@ def test_what_a_page_did_not_get_is_in_its_next_frame() -> None:
     assert found.greatest_force == pytest.approx(total.greatest_force, rel=1e-6)
     other = bytearray(kept.frames[-1])
     other[4] ^= 1  # of another layout: as it is
-    assert combined([Shape(9, 1, False)], bytes(other), kept.frames[-1]) == kept.frames[-1]
+    assert combined([Shape(9, 1)], bytes(other), kept.frames[-1]) == kept.frames[-1]
 
 
 def test_a_program_that_takes_several_steps_misses_none() -> None:
@@ -338,6 +338,23 @@ def test_parts_without_a_frame_are_left_out_of_a_shared_page(tmp_path: Path) -> 
     session.advance(FRAME)
     keeper.close()
     assert record(tmp_path / "run", 10.0).frames >= 2
+
+
+def test_a_light_rope_beside_a_heavy_one_has_its_own_steps_in_a_shared_page() -> None:
+    """With one step for all, 2.5 N beside 10 kN, a thread's 0.1 N and its anchor's force were zero."""
+    made_of = [rw.Material(EA=1e3 * m, mass_per_length=m, axial_damping=m) for m in (0.01, 1e3)]
+    shape = {"kind": "straight", "start": (0, 0, 0), "direction": (0, 0, -1)}
+    ropes = [
+        rw.Rope(name=name, segments=2, length=1.0, made_of=stuff, shape=shape)
+        for name, stuff in zip("ab", made_of, strict=True)
+    ]
+    run = {"duration": 0.1, "method": "implicit-euler", "time_step": 1 / 60}
+    anchors = [{"rope": name, "node": 0} for name in "ab"]
+    result = rw.simulate(rw.Scene(ropes=ropes, anchors=anchors, run=run))
+    made, true = record_streams(result), result.rope("a").tension
+    assert np.abs(made["tension"][:, :2] - true).max() < 3e-3 * true.max()
+    pull = np.linalg.norm(result.read("reactions")[:, 0], axis=1)
+    assert made["force"][:, 2] == pytest.approx(pull, abs=3e-3 * pull.max())
 
 
 def record_streams(result: Result, rate: float = 60.0) -> dict[str, np.ndarray]:

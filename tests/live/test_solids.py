@@ -143,11 +143,27 @@ def ways() -> list[dict[str, Any]]:
     return found
 
 
+def assert_alike(known: Any, fresh: Any) -> None:
+    """Machines differ in the last bits of square roots and sines that have been multiplied."""
+    if isinstance(known, dict):
+        assert known.keys() == fresh.keys()
+        for key, value in known.items():
+            assert_alike(value, fresh[key])
+    elif isinstance(known, list):
+        assert len(known) == len(fresh)
+        for one, other in zip(known, fresh, strict=True):
+            assert_alike(one, other)
+    elif isinstance(known, float):
+        assert known == pytest.approx(fresh, rel=1e-12, abs=1e-12)
+    else:
+        assert known == fresh
+
+
 def test_the_pages_test_reads_what_the_engine_says() -> None:
     known = json.loads(SHARED.read_text())
     fresh = json.loads(json.dumps(made()))
-    assert known["obstacles"] == fresh["obstacles"]
-    assert known["places"] == fresh["places"]
+    assert_alike(known["obstacles"], fresh["obstacles"])
+    assert_alike(known["places"], fresh["places"])
     for when in ("away", "later"):
         assert np.array(known[when]) == pytest.approx(np.array(fresh[when]), abs=1e-12)
     moved = np.abs(np.array(fresh["later"]) - fresh["away"]).max(axis=1) > 0.01

@@ -6,14 +6,15 @@ import numpy as np
 import pytest
 
 from live.drive import do, slack_rope
-from property.test_islands import on_floor
+from property.test_islands_kept import on_floor
 from ropewalk.laws.contact_frame import DAMP, STIFF
-from ropewalk.laws.pairs.table import CONTACTS, PUSH
+from ropewalk.laws.pairs.table import CONTACTS, LEVER, MORE, PUSH, SPRING
 from ropewalk.live import describe
 from ropewalk.live.carry import carry_over
-from ropewalk.live.edits import same_nodes
+from ropewalk.live.edits import cut, same_nodes
 from ropewalk.live.session import Session
 from ropewalk.scene import (
+    Anchor,
     Contact,
     Kick,
     Material,
@@ -23,6 +24,7 @@ from ropewalk.scene import (
     RunSettings,
     Scene,
     SceneError,
+    Straight,
     Velocity,
 )
 from ropewalk.simulation import Simulation
@@ -136,3 +138,96 @@ def test_a_load_at_a_cut_end_does_not_take_the_ropes_own_half_segment() -> None:
             do(session, "set", name="segments", value=6)
         else:
             do(session, "cut", segment=2)
+
+
+def hanging() -> Scene:
+    """A rope of six segments that hangs straight from an anchor, in a scene in which ropes touch."""
+    rope = Rope(
+        name="idle",
+        segments=6,
+        length=0.6,
+        diameter=0.01,
+        made_of=Material(EA=2e4, mass_per_length=0.05, axial_damping=5.0),
+        shape=Straight(start=(0.0, 0.0, 1.0), end=(0.0, 0.0, 0.4)),
+    )
+    run = RunSettings(method="implicit-euler", time_step=1 / 60, frame_rate=60.0, duration=10.0)
+    return Scene(ropes=[rope], anchors=[Anchor(node=0)], contact=Contact(friction=0.3), run=run)
+
+
+def test_what_is_cut_within_goes_on_as_two_ropes_that_touch() -> None:
+    """Both counted as one whose segment between them was whole, and met what was to go through it."""
+    simulation = Simulation(hanging())
+    simulation.step(0.1)
+    edit = cut(simulation.scene, simulation.layout, 3)
+    made = carry_over(simulation, edit.scene, edit.source)
+    assert made.arrays.memory.contact.rope.tolist() == [0, 0, 0, -1, 1, 1]
+    made.step(0.3)
+    fallen = simulation.positions[4:, 2] - made.positions[4:, 2]
+    assert np.allclose(fallen, 0.5 * 9.81 * 0.3**2, rtol=0.1)
+
+
+def test_what_is_cut_elsewhere_leaves_contacts_what_they_hold() -> None:
+    """All forgot friction and offsets where any node was dropped: the bar sank anew, and slipped.
+
+    The idle rope is the first, so that all numbers change.
+    """
+    scene = crossed(0.05, free=True)
+    scene = scene.replace(
+        ropes=[
+            hanging().ropes[0].replace(shape=Straight(start=(3, 0, 1), end=(3, 0, 0.4))),
+            *scene.ropes,
+        ],
+        anchors=[Anchor(name="idle", rope="idle", node=0), *scene.anchors],
+        gravity=(0.5, 1.5, -9.81),
+    )
+    simulation = Simulation(scene)
+    simulation.step(0.5)
+    before = simulation.arrays.memory.contact
+    assert before.grip[0, MORE] > 1e-5
+    edit = cut(simulation.scene, simulation.layout, 5)
+    made = carry_over(simulation, edit.scene, edit.source)
+    after = made.arrays.memory.contact
+    assert made.layout.nodes == simulation.layout.nodes - 1
+    assert (after.pair[:1] == before.pair[:1] - 1).all()
+    assert (after.grip[:1] == before.grip[:1]).all()
+    for one in (simulation, made):
+        one.step(0.1)
+    assert np.allclose(made.positions[-2:], simulation.positions[-2:], rtol=0.0, atol=1e-9)
+
+
+def test_contacts_whose_segments_change_places_turn_round() -> None:
+    """What one side of a contact held is the other's, where its segment has the lesser number now."""
+    simulation = lying()
+    scene, memory = simulation.scene, simulation.arrays.memory.contact
+    start, count = simulation.layout.ropes[1].start, simulation.layout.nodes
+    push = memory.grip[0, PUSH]
+    memory.grip[0, SPRING : SPRING + 3] = 0.1 * push, 0.2 * push, 0.0
+    memory.grip[0, LEVER : LEVER + 6] = 0.1, 0.2, 0.0, 0.3, 0.05, 0.0
+    swapped = scene.replace(ropes=[scene.ropes[1], scene.ropes[0]])
+    source = np.array([*range(start, count), *range(start)], float)
+    forces = [
+        carry_over(simulation, *one).arrays.forces.node.contact
+        for one in ((scene, same_nodes(simulation.layout)), (swapped, source))
+    ]
+    assert (np.abs(forces[0]).max(axis=1)[:5] > 0.04 * push).all()
+    assert np.allclose(forces[1], forces[0][:, source.astype(int)], rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize(("segments", "at"), [(8, 4), (40, 20)])
+def test_a_rope_can_be_cut_beside_another_that_it_may_touch(segments: int, at: int) -> None:
+    """Its runs of segments that are watched for others are not those of before."""
+    ropes = [
+        Rope(
+            name=f"r{k}", segments=segments, length=2.0, diameter=0.02,
+            made_of=Material(EA=1e3, mass_per_length=0.2, axial_damping=2.0),
+            shape=Straight(start=(0, k, 0), direction=(1, 0, 0)),
+        )
+        for k in range(2)
+    ]  # fmt: skip
+    held = [Anchor(name=f"a{k}", rope=f"r{k}", node=0) for k in range(2)]
+    run = RunSettings(method="implicit-euler", duration=1.0, frame_rate=60.0, time_step=1 / 60)
+    session = Session(Scene(ropes=ropes, anchors=held, contact=Contact(friction=0.2), run=run))
+    session.advance(3)
+    do(session, "cut", segment=at)
+    session.advance(3)
+    assert len(session.scene.ropes) == 3

@@ -80,6 +80,30 @@ def test_what_was_done_after_a_moment_gone_back_to_is_not_undone() -> None:
     assert session.undo.word == ""
 
 
+def test_what_was_done_at_the_time_that_is_gone_back_to_is_not_undone() -> None:
+    """Times were compared, and the pin stayed to be undone: half a second was thrown away for nothing."""
+    session = Session(slack_rope())
+    session.advance(2520)  # 0.5 s, which is kept
+    do(session, "pin", node=12)
+    session.advance(1100)
+    do(session, "back", seconds=0.2)
+    assert (session.time, session.undo.word) == (pytest.approx(0.5), "")
+    assert [one.name for one in session.scene.anchors] == ["left", "right"]
+    assert "nothing to undo" in refused(session, "undo")
+
+
+def test_a_reset_is_undone_after_one_has_gone_back_since() -> None:
+    """It was done at 1 s, which is later than all that came after it."""
+    session = Session(slack_rope())
+    session.advance(5040)  # 1 s
+    do(session, "reset")
+    session.advance(3000)
+    do(session, "back", seconds=0.2)
+    assert session.undo.word == "the reset"
+    do(session, "undo")
+    assert session.time == pytest.approx(1.0)
+
+
 @pytest.mark.parametrize("way", ["undo", "back", "remedy"])
 def test_who_goes_back_lets_go_of_what_was_held_then(way: str) -> None:
     """A hand of the past pulled on, though the page that it was of had let go, or was gone."""

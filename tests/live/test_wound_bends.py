@@ -44,3 +44,32 @@ def test_bends_at_a_drum_stay_as_they_are(clamped: bool, speed: float) -> None:
     for one in (old, same):
         one.step(0.2)
     np.testing.assert_allclose(same.positions, old.positions, atol=1e-9)
+
+
+@pytest.mark.parametrize("speed", [0.5, -0.5])
+def test_another_length_of_the_same_bends_is_told_by_none_but_ei(speed: float) -> None:
+    """Stiffness, friction and mass of a wound rope change; its bends and their places do not."""
+    made_of = Material(EA=40.0, EI=0.02, mass_per_length=0.05, bending_damping=1e-4)
+    shape = Straight(start=(0, 0, 0), end=(0.5, 0, 0))
+    rope = Rope(segments=5, length=0.5, made_of=made_of, shape=shape)
+    scene = Scene(
+        ropes=[rope],
+        anchors=[Anchor(node=0)],
+        winches=[Winch(end="start", speed=speed, on_drum=0.4)],
+        run={"method": "esdirk3", "time_step": 0.01, "duration": 1.0},
+    )
+    old = Simulation(scene)
+    old.step(0.3)
+    stiffer = rope.replace(made_of=made_of.replace(EA=80.0, mass_per_length=0.1))
+    source = np.arange(old.arrays.x.shape[1]) + 0.0
+    new = carry_over(old, scene.replace(ropes=[stiffer]), source)
+    for name in ("bending_stiffness", "bending_damping"):
+        before, after = getattr(old.arrays, name), getattr(new.arrays, name)
+        np.testing.assert_allclose(after, before, rtol=1e-12)
+    stiffer = rope.replace(made_of=made_of.replace(EI=0.04, bending_damping=3e-4))
+    bent = carry_over(old, scene.replace(ropes=[stiffer]), source)
+    for name, times in (("bending_stiffness", 2.0), ("bending_damping", 3.0)):
+        before, after = getattr(old.arrays, name), getattr(bent.arrays, name)
+        np.testing.assert_allclose(after, times * before, rtol=1e-12)
+    for name in ("mass", "stiffness", "rest_length", "damping_axial"):
+        assert np.array_equal(getattr(bent.arrays, name), getattr(old.arrays, name)), name

@@ -2,36 +2,34 @@
 
 from __future__ import annotations
 
-import copy
-import gc
 import math
-import pickle
-import sys
-from collections import Counter
-from collections.abc import Callable
 from dataclasses import replace
-from types import FrameType
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
+from hypothesis import strategies as st
 
-from ropewalk.core.arrays import flatten
 from ropewalk.engine import islands
 from ropewalk.engine.partition import partition
+from ropewalk.laws.slides.table import DRUM
 from ropewalk.lowering import build
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import (
     Anchor,
+    Joint,
+    Kick,
     Material,
-    Plane,
     Rope,
     Scene,
     SceneError,
     Slack,
+    Slide,
     Straight,
     Velocity,
+    Winch,
 )
+from ropewalk.scene.joint import tied_ropes
 from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block, join
 from strategies import scenes
@@ -46,15 +44,50 @@ RELAXED = settings(
 MOST_STEPS = 5_000
 
 
-def alone(simulation: Simulation, rope: str) -> Simulation:
-    """A simulation of one rope of another's scene, with the same plan."""
+def alone(simulation: Simulation, *ropes: str) -> Simulation:
+    """A simulation of one rope of another's scene, or of all that tie each other, with the same plan."""
     scene = simulation.scene
     part = scene.replace(
-        ropes=[one for one in scene.ropes if one.name == rope],
-        anchors=[anchor for anchor in scene.anchors if anchor.rope == rope],
-        winches=[winch for winch in scene.winches if winch.rope == rope],
+        ropes=[one for one in scene.ropes if one.name in ropes],
+        anchors=[anchor for anchor in scene.anchors if anchor.rope in ropes],
+        winches=[winch for winch in scene.winches if winch.rope in ropes],
+        joints=[joint for joint in scene.joints if joint.points[0].rope in ropes],
+        slides=[slide for slide in scene.slides if slide.rope in ropes],
     )
     return Simulation(replace(build(part), plan=simulation.plan))
+
+
+@st.composite
+def tied(draw: st.DrawFn, scene: Scene) -> Scene:
+    """Such a scene with ropes that slide along some of its ropes, or hang in joints from them."""
+    made_of = Material(EA=500.0, mass_per_length=0.05, axial_damping=0.2)
+    ropes, joints, slides = list(scene.ropes), [], []
+    try:
+        model = build(scene)
+    except SceneError:
+        assume(False)
+    for line, span in zip(scene.ropes, model.layout.ropes, strict=True):
+        how = draw(st.sampled_from(["alone", "slide", "joint"]))
+        if how == "alone" or (how == "slide" and line.segments < 2):
+            continue
+        start, speed = model.state.x[:, span.end].tolist(), model.state.v[:, span.end].tolist()
+        drawn = Straight(start=start, direction=(0, 0, -1), velocity=speed)
+        segments = draw(st.integers(1, 3))
+        rider = Rope(
+            name=f"{line.name}2", segments=segments, length=0.2, made_of=made_of, shape=drawn
+        )
+        ropes.insert(draw(st.integers(0, len(ropes))), rider)
+        if how == "slide":
+            at = draw(st.floats(0.2, 0.8)) * line.length_unstretched
+            slides.append(Slide(rope=rider.name, on=line.name, at=at, friction=0.1))
+        else:
+            points = [{"rope": line.name, "node": -1}, {"rope": rider.name, "node": 0}]
+            joints.append(Joint(points=points))
+    assume(len(ropes) > len(scene.ropes))
+    try:
+        return scene.replace(ropes=ropes, joints=joints, slides=slides, limiter=None)
+    except SceneError:  # as of a joint at a drum
+        assume(False)
 
 
 def whole(simulation: Simulation) -> Block:
@@ -62,7 +95,7 @@ def whole(simulation: Simulation) -> Block:
 
 
 def check_neighbours(scene: Scene) -> None:
-    """Compare every rope of a scene with itself alone, to the last bit of all that is recorded of it."""
+    """Compare every rope, or group of tied ones, with itself alone, to the last bit of its records."""
     try:
         simulation = Simulation(scene)
     except SceneError:
@@ -70,29 +103,33 @@ def check_neighbours(scene: Scene) -> None:
     assume(simulation.plan.steps <= MOST_STEPS)
     together = whole(simulation)
     rows = {name: row for row, name in enumerate(simulation.layout.anchor_names)}
-    ends = []
-    for rope in scene.ropes:
-        one = alone(simulation, rope.name)
+    groups, ends = tied_ropes(scene.ropes, scene.joints, scene.slides), []
+    for group in groups:
+        names = [scene.ropes[i].name for i in group]
+        one = alone(simulation, *names)
         single = whole(one)
         ends.append(single.frames)
-        span = simulation.layout.span(rope.name)
         found, own = together.recording, single.recording
         frames = min(single.frames, together.frames)
-        nodes, segments = slice(span.first, span.last + 1), slice(span.first, span.last)
         held = [rows[name] for name in one.layout.anchor_names]
+        pairs = [(simulation.layout.span(name), one.layout.span(name)) for name in names]
+        nodes = [(np.r_[a.first : a.last + 1], np.r_[b.first : b.last + 1]) for a, b in pairs]
+        segments = [(np.r_[a.first : a.last], np.r_[b.first : b.last]) for a, b in pairs]
         for kind, places in (
             (("x", "v", "speed_high", "lowest", "highest"), nodes),
             (
                 ("tension", "elastic_tension", "tension_low", "tension_high", "stretch_high"),
                 segments,
             ),
-            (("reaction", "reaction_high"), held),
         ):
             for name in kind:
-                here, there = getattr(found, name)[:frames], getattr(own, name)[:frames]
-                here = here[:, held] if places is held else here[..., places]
-                assert np.array_equal(here, there), (rope.name, name)
-    if len(simulation.scene.ropes) == len(partition(simulation.model)):
+                for here, there in places:
+                    first = getattr(found, name)[:frames, ..., here]
+                    assert np.array_equal(first, getattr(own, name)[:frames, ..., there]), name
+        for name in ("reaction", "reaction_high"):
+            first = getattr(found, name)[:frames, held]
+            assert np.array_equal(first, getattr(own, name)[:frames]), name
+    if len(groups) == len(partition(simulation.model)):
         assert together.frames == min(ends)  # the first that breaks ends the run of all
     else:  # ropes in one island have one verdict, by the energy of all
         assert together.frames >= min(ends)
@@ -112,6 +149,55 @@ def test_a_rope_moves_to_the_same_bits_alone_and_beside_others(scene: Scene) -> 
 def test_many_ropes_move_to_the_same_bits_alone_and_beside_others(scene: Scene) -> None:
     assume(scene.run.ring is None)
     check_neighbours(scene)
+
+
+@pytest.mark.slow
+@settings(RELAXED, max_examples=40)
+@given(scenes(max_ropes=3, max_segments=5).flatmap(tied))
+def test_ropes_that_slide_and_hang_in_joints_move_to_the_same_bits_beside_others(
+    scene: Scene,
+) -> None:
+    assume(scene.run.ring is None)
+    check_neighbours(scene)
+
+
+@pytest.mark.parametrize("method", ["bdf2", "adaptive", "semi-implicit-euler"])
+def test_what_slides_sets_no_pace_for_others(method: str) -> None:
+    """Nor do winches on the rope that it slides along: places at drums count in the whole's arrays."""
+
+    def drawn(beside: bool) -> Scene:
+        stuff = {"made_of": Material(EA=1e4, mass_per_length=0.5), "diameter": 0.01}
+        far = {"made_of": Material(EA=1e5, mass_per_length=0.5), "diameter": 0.01}
+        kicks = [Kick(node=3, velocity=(0, 0, 20))]
+        down = {"direction": (0, 0, -1)}
+        ropes = [
+            Rope(name="b", segments=6, length=3, shape=Straight(start=(0, 9, 0)), kicks=kicks, **far),
+            Rope(name="c", segments=2, length=0.5, shape=Straight(start=(1.5, 9, 0), **down), **far),
+            Rope(name="a", segments=8, length=3, shape=Slack(start=(0, 0, 0), end=(2.8, 0, 0)), **stuff),
+            Rope(name="d", segments=2, length=0.5, shape=Straight(start=(1.5, 0, 0), **down), **stuff),
+        ]  # fmt: skip
+        slides = [Slide(rope="c", on="b", at=1.5), Slide(rope="d", on="a", at=1.4)]
+        anchors = [Anchor(rope="b", node=0), Anchor(rope="a", node=0), Anchor(rope="a", node=-1)]
+        there = "bcad" if beside else "ad"
+        return Scene(
+            ropes=[rope for rope in ropes if rope.name in there],
+            slides=[slide for slide in slides if slide.on in there],
+            anchors=[anchor for anchor in anchors if anchor.rope in there],
+            winches=[Winch(rope="a", end="end", speed=0.3)],
+            run={"method": method, "duration": 0.1, "frame_rate": 60, "time_step": 1 / 2400},
+        )
+
+    one, two = Simulation(drawn(False)), Simulation(drawn(True))
+    assert partition(two.model) == [[0, 1], [2, 3]]
+    single, both = whole(one).recording, whole(two).recording
+    assert len(both.x) == len(single.x)
+    for rope in "ad":
+        here, there = two.layout.span(rope), one.layout.span(rope)
+        assert np.array_equal(
+            both.x[..., here.first : here.last + 1], single.x[..., there.first : there.last + 1]
+        )
+    assert two.arrays.memory.slide.ends[1, DRUM + 1] == two.arrays.winch_exit[0]
+    assert np.array_equal(two.arrays.memory.slide.grip[1], one.arrays.memory.slide.grip[0])
 
 
 @settings(RELAXED, max_examples=30)
@@ -242,161 +328,3 @@ def test_hands_on_one_rope_leave_the_others_as_they_are(method: str) -> None:
     assert np.array_equal(both["a"], moved("a", "a")["a"])
     assert not np.array_equal(both["a"], still["a"])
     assert np.array_equal(both["b"], still["b"])
-
-
-def test_no_line_of_building_runs_more_often_for_a_rope_among_many() -> None:
-    """No loop over all ropes within one over all ropes: lines run, not seconds, are counted."""
-
-    def lines(count: int, act: Callable[[Scene], object]) -> Counter[tuple[str, int]]:
-        ropes = [
-            Rope(name=f"rope{k}", segments=2, length=1.0, shape=Slack(start=(0, k, 0), end=(0.9, k, 0)),
-                 made_of=Material(EA=1e3, mass_per_length=0.1))
-            for k in range(count)
-        ]  # fmt: skip
-        anchors = [Anchor(rope=rope.name, node=0) for rope in ropes]
-        scene = Scene(ropes=ropes, anchors=anchors, run={"method": "sdirk2", "time_step": 0.01})
-        seen: Counter[tuple[str, int]] = Counter()
-
-        def look(frame: FrameType, event: str, _: object) -> Callable[..., object] | None:
-            if event == "line":
-                seen[frame.f_code.co_filename, frame.f_lineno] += 1
-            return look if "ropewalk" in frame.f_code.co_filename else None
-
-        before = sys.gettrace()
-        sys.settrace(look)
-        try:
-            act(scene)
-        finally:
-            sys.settrace(before)
-        return seen
-
-    def steep(act: Callable[[Scene], object]) -> list[tuple[str, int]]:
-        few, many = lines(10, act), lines(40, act)
-        return [line for line, hits in many.items() if hits > 4.5 * few[line] + 40]
-
-    def quadratic(scene: Scene) -> None:
-        for rope in scene.ropes:
-            scene.rope_index(rope.name)  # goes through all before it
-
-    lines(2, lambda scene: Simulation(build(scene)))  # what is done once
-    assert steep(lambda scene: Simulation(build(scene))) == []
-    assert steep(quadratic)  # such a line is seen
-
-
-def hung(method: str, ropes: int) -> Simulation:
-    """Cords of four segments that swing from one end each."""
-    made_of = Material(EA=1e3, mass_per_length=0.1)
-    shapes = [Slack(start=(0, k, 0), end=(0.3, k, 0)) for k in range(ropes)]
-    made = [
-        Rope(name=f"rope{k}", segments=4, length=0.4, made_of=made_of, shape=shape)
-        for k, shape in enumerate(shapes)
-    ]
-    anchors = [Anchor(name=f"end{k}", rope=f"rope{k}", node=0) for k in range(ropes)]
-    return Simulation(Scene(ropes=made, anchors=anchors, run={"method": method, "time_step": 1e-3}))
-
-
-def bits(simulation: Simulation) -> bytes:
-    state = simulation.state
-    return b"".join(part.tobytes() for part in (*flatten(state.state).values(), state.inner))
-
-
-def test_an_island_keeps_how_it_began() -> None:
-    """Breaks are explained from there."""
-    simulation = hung("rk4", 2)
-    begun = simulation.alone(0).model.state.x.copy()
-    simulation.advance_frames(2)
-    assert np.array_equal(simulation.alone(0).model.state.x, begun)
-    assert not np.array_equal(simulation.alone(0).positions.T, begun)
-
-
-def test_what_is_the_same_of_all_ropes_is_made_once() -> None:
-    """Tables of the first rope are those of the second; anchors and flags each has for itself."""
-    first, second, *_ = hung("sdirk2", 3)._engine.engines  # type: ignore[union-attr]
-    one, other = flatten(first.system), flatten(second.system)
-    own = {name for name, array in one.items() if np.size(array) and array is not other[name]}
-    assert {name for name in own if not name.startswith("anchors.")} == {"acts", "flags", "gravity"}
-    assert not np.array_equal(one["anchors.params"], other["anchors.params"])
-
-
-def test_no_cycles_are_looked_for_while_ropes_are_built() -> None:
-    """Every search went through all that was made so far."""
-    model, searches = hung("sdirk2", 200).model, list[str]()
-
-    def note(phase: str, _: object) -> None:
-        searches.append(phase)
-
-    gc.collect()
-    gc.callbacks.append(note)
-    try:
-        Simulation(model)
-    finally:
-        gc.callbacks.remove(note)
-    assert searches.count("start") <= 3  # else 44
-    assert gc.isenabled()
-
-
-@pytest.mark.parametrize("method", ["sdirk2", "adaptive", "verlet"])
-@pytest.mark.parametrize("ropes", [1, 2])
-def test_islands_go_back_to_time_zero(ropes: int, method: str) -> None:
-    """A model keeps the start, whatever its simulation does. Twin: where it stands is not the start."""
-    simulation = hung(method, ropes)
-    start = bits(simulation)
-    simulation.step(0.005)
-    stands = bits(simulation)
-    assert stands != start
-    other = Simulation(simulation.model)
-    assert bits(other) == start
-    other.step(0.002)
-    assert bits(simulation) == stands  # what the steps were looked at for, too
-    simulation.reset()
-    assert bits(simulation) == start
-
-
-@pytest.mark.parametrize("ropes", [1, 2])
-def test_a_force_on_an_island_takes_the_place_of_the_one_before(ropes: int) -> None:
-    simulation = hung("sdirk2", ropes)
-    for force in (2.0, 0.5):
-        simulation.apply_force(3, (force, 0.0, 0.0), "rope0")
-    assert simulation.applied_forces[3].tolist() == [0.5, 0.0, 0.0]
-    assert simulation.applied_forces.sum() == 0.5
-
-
-@pytest.mark.parametrize(
-    "again", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))]
-)
-@pytest.mark.parametrize(("method", "ropes"), [("sdirk2", 1), ("sdirk2", 2), ("verlet", 2)])
-def test_a_copy_goes_its_own_way_to_the_same_bits(
-    method: str, ropes: int, again: Callable[[Simulation], Simulation]
-) -> None:
-    simulation = hung(method, ropes)
-    simulation.step(0.003)
-    simulation.anchors["end0"].move_to((0.0, 0.0, 0.1))
-    stood = bits(simulation)
-    other = again(simulation)
-    assert bits(other) == stood
-    other.step(0.002)
-    assert bits(simulation) == stood
-    assert bits(other) != stood
-    simulation.step(0.002)
-    assert bits(other) == bits(simulation)
-    assert other.positions[0].tolist() == [0.0, 0.0, 0.1]
-
-
-def on_floor(motion: Velocity, ropes: int = 2, friction: float = 0.3) -> Scene:
-    """Ropes of 30 cm that lie beside each other on a floor that moves."""
-    made_of = Material(EA=2000.0, mass_per_length=0.2, axial_damping=0.5)
-    shapes = [Straight(start=(0, k, 0.006), end=(0.3, k, 0.006)) for k in range(ropes)]
-    lying = [
-        Rope(name=f"rope{k}", segments=3, length=0.3, diameter=0.01, made_of=made_of, shape=shape)
-        for k, shape in enumerate(shapes)
-    ]
-    run = {"method": "esdirk3", "time_step": 5e-3, "frame_rate": 200.0}
-    return Scene(ropes=lying, obstacles=[Plane(friction=friction, motion=motion)], run=run)
-
-
-def test_a_frame_is_read_with_obstacles_where_they_are_now() -> None:
-    """Of ropes on a floor that rises what contacts press was read with the floor of the start: 0 N."""
-    simulation = Simulation(on_floor(Velocity(velocity=(0.0, 0.0, 0.5)), ropes=2))
-    block = simulation.advance_frames(5)
-    assert np.array_equal(simulation.recording().recording.contact[-1], block.recording.contact[-1])
-    assert simulation.recording().recording.contact[-1, 2].min() > 0.05  # N

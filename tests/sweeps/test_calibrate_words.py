@@ -212,6 +212,12 @@ def test_what_a_measurement_names_that_is_not_there_has_a_sentence() -> None:
             InputError, match=rf"swing\.mode: {mode} - must be a whole number from 1"
         ):
             rw.calibrate.swing(1.0, mode=mode)
+    beyond = rw.calibrate.swing(1.0, 0.01, mode=40)  # of 4 free nodes
+    with pytest.raises(InputError, match=r"swing\.mode: 40 - there are 12 modes"):
+        rw.calibrate(swing(0.02), beyond, ranges, starts=2)
+    for node in (1.5, "x", True):
+        with pytest.raises(InputError, match=r"droop\.node: .* - must be a whole number$"):
+            rw.calibrate.droop(0.3, 0.01, node=node)  # type: ignore[arg-type]
 
 
 def test_measured_numbers_are_plain_ones_and_lengths_are_lengths(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from ropewalk.core.cache import PACKAGE
+from ropewalk.record.identity import FILES
 from ropewalk.sweeps import identity
 
 #: What `record` has beside that: words, tables, folders, and views that no sweep can keep.
@@ -37,7 +38,8 @@ def test_all_that_makes_a_result_is_in_the_identity_or_known_to_keep_nothing() -
         tree = ast.parse((PACKAGE / "record" / f"{name}.py").read_bytes())
         modules = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
         found |= {m.removeprefix("ropewalk.record.") for m in modules if "ropewalk.record." in m}
-    hashed = {Path(name).stem for name in identity.KEPT_BY if name.startswith("record/")}
+    names = (*identity.KEPT_BY, *FILES)
+    hashed = {Path(name).stem for name in names if name.startswith("record/")}
     assert len(found) > 10
     assert found - hashed == KEEP_NOTHING
     assert all((PACKAGE / name).is_file() for name in identity.KEPT_BY)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Anchor, Material, Plane, Rope, Scene, Slack, Straight, Winch
+from ropewalk.scene import Anchor, Load, Material, Plane, Rope, Scene, Slack, Straight, Winch
 from ropewalk.sweeps.keep import DERIVED, parse
 
 CORD = Material(EA=2e4, mass_per_length=0.2, axial_damping=20.0)
@@ -36,3 +36,34 @@ def test_works_of_contacts_are_since_the_start() -> None:
     kept, _ = parse("contact_work[-1]").of(result)
     said = [array[-1] for array in result.contact_work["floor"].values()]
     np.testing.assert_array_equal(kept[0], said)
+
+
+def hung(frame_rate: float, speed: float, segments: int = 5) -> rw.Result:
+    """A kilogram that falls into 1 m of cord, which parts; or on a winch, which stops [m/s]."""
+    weak = {} if speed else {"breaking_load": 15.0, "parts": True}
+    cord = Material(EA=2e3, mass_per_length=0.1, axial_damping=1.0, **weak)
+    down = Straight(start=(0, 0, 0), direction=(0, 0, -1))
+    load = Load(node=-1, mass=1.0)
+    rope = Rope(segments=segments, length=1.0, made_of=cord, shape=down, loads=[load])
+    winch = Winch(end="start", speed=speed, stop=0.5, min_length=0.2)
+    run = {"method": "esdirk3", "time_step": 0.005, "duration": 0.5, "frame_rate": frame_rate}
+    more = {"winches": [winch]} if speed else {}
+    return rw.simulate(Scene(ropes=[rope], anchors=[Anchor(node=0)], run=run, **more))
+
+
+@pytest.mark.parametrize("frame_rate", [2.0, 8.0, 100.0])
+@pytest.mark.parametrize("speed", [0.0, -0.8])
+def test_what_parts_or_is_reeled_in_between_two_frames_has_its_peak(
+    speed: float, frame_rate: float
+) -> None:
+    """What carried the most is gone when the next frame is recorded; tables have always told it."""
+    result = hung(frame_rate, speed)
+    there = result.table["largest tension [N]"], result.table["least tension [N]"]
+    kept = [float(parse(text).of(result)[0]) for text in ("tension.max", "tension.min")]
+    np.testing.assert_array_equal(kept, there)
+    assert float(parse("stretch.max").of(result)[0]) == result.table["largest stretch [1]"]
+    gone = result.live[0] & ~result.live[-1]
+    assert gone.any()
+    of_each, _ = parse("tension.max[segment]").of(result)
+    assert (of_each[gone] > 5.0).all()
+    np.testing.assert_array_equal(of_each[~result.live.any(axis=0)], np.nan)

@@ -28,6 +28,10 @@ STIFF, SPRINGY = rw.load(HERE / "all_of_material.toml"), rw.load(HERE / "all_of_
 TOUCHING = rw.load(HERE / "all_of_obstacles.toml")
 KNOTTED = rw.load(HERE / "all_of_knots.toml")
 SLIDING = rw.load(HERE / "all_of_slides.toml")
+TOLD = [k for k, body in enumerate(TOUCHING.obstacles) if not (body.spin and body.spin.free)]
+THROWING = apply_overrides(
+    TOUCHING, ["method=adaptive", *(f"obstacle[{k}].restitution=0.5" for k in TOLD)]
+)
 #: What has only one value by itself: the version, files (read when a scene is loaded), a rope's stuff,
 #: a plane, a curve of other numbers, nodes that are tied (others lie elsewhere), what turns freely.
 CURVES = "TableCurve", "PolynomialCurve", "NeoHookeanCurve", "ExponentialCurve"
@@ -152,11 +156,13 @@ def compare(scene: Scene, path: str, texts: list[str]) -> int:
 def test_every_path_gives_the_bits_of_a_model_made_anew() -> None:
     varied: set[tuple[str, str]] = set()
     ringing = apply_overrides(swing(), ["start=at-rest", "run.ring.mode=1", "run.ring.speed=0.1"])
-    for scene in (STIFF, SPRINGY, ringing, TOUCHING, KNOTTED, SLIDING):
+    for scene in (STIFF, SPRINGY, ringing, TOUCHING, KNOTTED, SLIDING, THROWING):
         for path, model, key, value in every_path(scene):
             name = (model.__name__, key)
             if scene is SLIDING and model.__name__ != "Slide":
                 continue  # ropes are those of the others
+            if scene is THROWING and key != "restitution":
+                continue
             if name not in NEVER and compare(scene, path, candidates(model, key, value)) > 1:
                 varied.add(name)
     fields = {

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 import warnings
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.lowering import bounce, build
 from ropewalk.lowering.bounce import Bounce, bounce_growth, largest_bounce_step
+from ropewalk.lowering.plan import Plan
 from ropewalk.lowering.steps import predicted_step, uncovered
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import (
@@ -24,6 +26,7 @@ from ropewalk.scene import (
     Scene,
     Shake,
     Slack,
+    Sphere,
     Springs,
     Straight,
     Velocity,
@@ -230,3 +233,38 @@ def test_friction_beyond_all_bounds_is_no_warning() -> None:
         warnings.simplefilter("error")
         gains = bounce._gains.__wrapped__("rk4", 30.0)
     assert np.isfinite(gains).all()
+
+
+def test_what_moves_after_the_run_shortens_no_step() -> None:
+    """A body, and an anchor, that get fast at 10 s: drag, the bound of methods and accuracy went by both.
+
+    The twin gets fast within the run; the live view and a loop of one's own have no end.
+    """
+    stuff = Springs(spring_constant=2000.0, node_mass=0.01, segment_length=0.1)
+
+    def scene(start: float, moved: str, method: str = "auto") -> Scene:
+        fast = Velocity(velocity=(0.0, 0.0, -50.0), start=start)
+        shape = Straight(start=(0, 0, 0), end=(1.0, 0, 0))
+        bodies = [Sphere(center=(0, 0, 500.0), radius=0.1, motion=fast)] if moved == "body" else []
+        return Scene(
+            ropes=[Rope(segments=10, made_of=stuff, shape=shape)],
+            anchors=[Anchor(node=0, motion=fast) if moved == "anchor" else Anchor(node=0)],
+            obstacles=bodies,
+            air=rw.Air(node_drag_quadratic=0.05),
+            run=RunSettings(method=method, duration=1.0),
+        )
+
+    def plan(*what: Any, endless: bool = False) -> Plan:
+        return build(scene(*what), endless=endless).plan
+
+    for moved in ("body", "anchor"):
+        for method in ("auto", "semi-implicit-euler"):
+            still = plan(10.0, "nothing", method)
+            late, within = plan(10.0, moved, method), plan(0.5, moved, method)
+            if moved == "anchor":
+                assert (late.method, late.dt) == (still.method, still.dt)
+            assert plan(10.0, moved, method, endless=True) == within
+            assert late != within
+            assert rw.Simulation(scene(10.0, moved, method)).plan == within
+            assert rw.Simulation(scene(10.0, moved, method), apart=True).plan == late
+        assert late.dt > 1.1 * within.dt

@@ -14,6 +14,7 @@ from ropewalk.analysis.compare import compare_runs
 from ropewalk.cli.app import main
 from ropewalk.lowering import build
 from ropewalk.record.contacts import contact_modes, node_modes
+from ropewalk.record.ends import End, in_words
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import record_run
 from ropewalk.scene import Anchor, Material, Rope, Scene, Slack, Velocity, save
@@ -209,7 +210,7 @@ def test_figures_mark_the_broken_rope(tmp_path: Path) -> None:
         figure = getattr(result.plot, name)()
         figure.savefig(tmp_path / f"{name}.png")
         texts = [text.get_text() for text in figure.findobj(match=_is_text)]
-        assert any("Broken: b after" in text for text in texts), name
+        assert any("Ended early: b after" in text for text in texts), name
     up = result.plot.height(["a:3", "b:3"]).axes[0]
     lines = {line.get_label(): np.asarray(line.get_ydata()) for line in up.lines}
     assert np.isfinite(lines["a, node 3"]).all()
@@ -245,3 +246,10 @@ def test_a_sweep_counts_the_run_as_broken_at_its_first_break() -> None:
     found = result_of(build(hung("abc")), "run")
     assert found.status == "broke"
     assert found.broke_at == found.ends[0].time
+
+
+def test_what_ended_is_told_in_whole_sentences() -> None:
+    """Texts of steps without a solution end in no full stop."""
+    ends = (End(("a",), 0.1, 3, "No step (here)"), End(("b",), 0.2, 5, "It ends, too."))
+    assert in_words(ends, 3) == "No step (here). It ends, too. The other rope went on."
+    assert in_words(ends[:1], 1) == "No step (here)"

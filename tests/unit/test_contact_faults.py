@@ -61,7 +61,14 @@ CASES: dict[str, tuple[str, tuple[str, ...]]] = {
     ),
     "place that is none": (BAR.replace("-0.1", "nan"), ("obstacle[0].from[1]", "nan", "finite number (m)")),
     "two numbers": (BAR.replace("0, -0.1, 0", "0, 0"), ("obstacle[0].from", "[0, 0]", "[x, y, z] (m)")),
-    "restitution": ("[contact]\nrestitution = 0.5", ("contact.restitution", "there is none", "leave it out")),
+    "restitution": (
+        "[contact]\nrestitution = 0.5",
+        ("contact.restitution", "there is none here, but of obstacles", "leave it out"),
+    ),
+    "of the ground": (
+        "[ground]\nrestitution = 0.5",
+        ("ground.restitution", "none here", "[ground] throws back by its spring", "its damping_ratio"),
+    ),
     "one array": (SDF % "one.npy", ("obstacle[0].file", "one.npy", "one array", "numpy.savez")),
     "coordinates": (MESH % "nan.obj", ("obstacle[0].file", "nan.obj", "no triangles", "finite numbers")),
     "no mesh": (MESH % "no.stl", ("obstacle[0].file", "no.stl", "no triangles", "export it as STL again")),

@@ -116,7 +116,8 @@ def tackle() -> Scene:
     c, s = 0.055 * np.cos(half), 0.055 * np.sin(half)
     over, under = np.stack([-c, s], axis=1), np.stack([c, -0.4 - s], axis=1)
     flat = np.vstack([[(-0.055, -0.6)], over, under, over, [(0.055, -0.6)]])
-    way = np.linspace(-0.03, 0.03, len(flat))
+    way = np.cumsum(np.hypot(*np.diff(flat, axis=0, prepend=flat[:1]).T))  # aslant, not bent aside
+    way = 0.06 * way / way[-1] - 0.03
     corners = [(float(x), float(y), float(z)) for (x, z), y in zip(flat, way, strict=True)]
     rope = rw.Rope(
         segments=160,
@@ -140,8 +141,12 @@ def test_a_rope_twice_over_a_bar_has_two_wraps() -> None:
     table = table[table["angle [rad]"] > 0.1]  # the legs hang down beside the lower bar
     assert list(table["obstacle"]) == ["upper", "lower", "upper"]
     assert table["angle [rad]"].to_numpy() == pytest.approx(math.pi, rel=5e-3)
-    assert table["ratio at slip [1]"].to_numpy() == pytest.approx(math.exp(0.1 * math.pi), rel=2e-3)
-    assert (table["ratio [1]"] < table["ratio at slip [1]"]).all()
+    slips, round_ = table["ratio at slip [1]"].to_numpy(), math.exp(0.1 * math.pi)
+    assert slips[1] == pytest.approx(round_, rel=2e-3)
+    assert slips[[0, 2]] == pytest.approx(
+        0.988 * round_, rel=2e-3
+    )  # bent aside into legs that hang
+    assert (table["ratio [1]"] < 1.002 * table["ratio at slip [1]"]).all()  # it has a weight
     both = result.wrap("upper")
     assert both.angle[0] == pytest.approx(2.0 * math.pi, rel=5e-3)
     ends = both.before[0], both.after[0]
@@ -317,6 +322,7 @@ def test_of_several_obstacles_at_a_node_slipping_shows_first(
         normal=np.tile([0.0, 0.0, 1.0], (count, 1)),
         push=np.ones(count),
         turn=np.zeros(count),
+        aside=np.zeros(count),
         rub=np.stack([slips, unknown, unknown, sticks]),
         friction=np.full(count, 0.3),
         slip=np.array([[1.0, 0, 0], *[[0.0, 0, 0]] * 3]),

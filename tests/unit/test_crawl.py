@@ -7,7 +7,17 @@ import warnings
 import pytest
 
 from ropewalk.engine.crawl import MANY, Crawl, CrawlWarning
-from ropewalk.scene import Anchor, Material, Rope, RunSettings, Scene, Straight
+from ropewalk.scene import (
+    Anchor,
+    Contact,
+    Ground,
+    Material,
+    Rope,
+    RunSettings,
+    Scene,
+    Sphere,
+    Straight,
+)
 from ropewalk.simulation import Simulation
 
 
@@ -46,7 +56,7 @@ def test_a_rope_that_crawls_is_told() -> None:
 
 
 def test_it_is_told_once_and_of_crawling_only() -> None:
-    crawl = Crawl(1e-8, slack=False)
+    crawl = Crawl(1e-8)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         crawl.note(MANY, 1.0)  # 0.2 ms a try
@@ -57,8 +67,26 @@ def test_it_is_told_once_and_of_crawling_only() -> None:
     assert "slack" not in str(told[0].message)
 
 
+def test_all_that_ends_steps_is_named() -> None:
+    """Slack segments alone were, where it may be the ground, an obstacle or another rope."""
+    plain = dropped(1e-5).scene
+    scene = plain.replace(
+        ropes=[plain.ropes[0].replace(diameter=0.01)],
+        ground=Ground(),
+        obstacles=[Sphere(center=(0, 0, -9), radius=1.0)],
+        contact=Contact(),
+    )
+    said = Simulation(scene)._engine.crawl._text(1.0, 1e-6)
+    where = (
+        "Steps end where segments go slack and taut, where nodes reach and leave the ground, where "
+        "nodes reach and leave the obstacles, and where ropes strike each other. Take a larger"
+    )
+    assert where in said
+    assert "Steps end" not in Crawl(1e-8)._text(1.0, 1e-6)
+
+
 def test_going_back_counts_anew() -> None:
-    crawl = Crawl(1e-8, slack=True)
+    crawl = Crawl(1e-8, ["segments go slack and taut"])
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         crawl.note(MANY, 5.0)

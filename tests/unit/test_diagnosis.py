@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 
 import numpy as np
 import pytest
@@ -17,10 +18,12 @@ from ropewalk.engine.broken import ACCOUNTED
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Anchor,
+    Kick,
     Material,
     Rope,
     RunSettings,
     Scene,
+    Slack,
     Springs,
     Straight,
     Velocity,
@@ -173,6 +176,27 @@ def test_a_stable_step_is_not_blamed() -> None:
     assert "not the method" not in made_up  # the twin: energy that nothing gave is the method's
     assert "no zigzag" in text or "energy grows" in text
     assert "time_step <=" not in text
+
+
+def test_what_is_known_is_told_in_place_of_a_sign_that_is_missing() -> None:
+    """It read "no zigzag", though the ropes had 7.7 MJ that nothing had given them."""
+    stuff = Material(EA=1e7, mass_per_length=0.2, axial_damping=0.5)
+    kick = Kick(node=3, velocity=(-10.0, 10.0, 5.0))
+    rope = Rope(
+        segments=4,
+        length=1.0,
+        diameter=0.01,
+        made_of=stuff,
+        shape=Slack(start=(0, 0, 0), end=(0.9, 0, 0)),
+        kicks=[kick],
+    )
+    run = {"method": "implicit-midpoint", "duration": 0.06, "frame_rate": 50, "time_step": 5e-3}
+    with pytest.raises(rw.BrokenRun) as caught:
+        rw.simulate(Scene(ropes=[rope], anchors=[Anchor(node=0)], run=run))
+    text = str(caught.value)
+    assert re.search(r"of rope 'rope': the ropes have \S+ J more than at the start", text)
+    assert "no zigzag" not in text
+    assert text.count("J more than") == 1
 
 
 @pytest.mark.parametrize("method", ["semi-implicit-euler", "bdf2"])

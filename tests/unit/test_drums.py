@@ -9,7 +9,9 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.drums import rope_place
+from ropewalk.record.extremes import extremes
 from ropewalk.scene import Anchor, Load, Material, Rope, RunSettings, Scene, Straight, Winch
+from sweeps.test_keep import hung
 
 
 def hoist(speed: float, end: Literal["start", "end"], *, parts: bool = False) -> rw.Result:
@@ -74,6 +76,21 @@ def test_what_is_reeled_in_lies_on_the_drum() -> None:
     assert rope_place(result, "node", 0, 0.0) == "node 0 of rope 'rope'"
     assert rope_place(result, "node", 0, 1.1) == "on the drum of rope 'rope'"
     assert rope_place(result, "segment", 3, 1.1) == "segment 3 of rope 'rope'"
+
+
+@pytest.mark.parametrize("frame_rate", [2.0, 100.0])
+def test_what_is_reeled_in_before_the_next_frame_was_no_drum_where_it_pulled(
+    frame_rate: float,
+) -> None:
+    """At 2 frames a second the largest tension was told "on the drum", where nothing pulls."""
+    result = hung(frame_rate, -0.8, 10)
+    peak = extremes(result)["greatest tension"]
+    assert not result.live[-1, peak.place]
+    told = str(result.table["largest tension at"])
+    assert told.startswith(f"segment {peak.place} of rope 'rope', t = ")
+    assert (
+        rope_place(result, "segment", peak.place, result.time[-1]) == "on the drum of rope 'rope'"
+    )
 
 
 def test_what_parted_beside_the_drum_is_off_it() -> None:

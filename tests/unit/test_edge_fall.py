@@ -294,3 +294,15 @@ def test_a_force_at_the_end_of_what_relaxing_ropes_may_have_is_found() -> None:
         find_time(force_of, 0.2999999, 1.0)
     for told in (0.3, 300.0):
         assert force_of(find_time(force_of, told, 1.0)) == pytest.approx(told, rel=1e-9)
+
+
+def test_the_stiffest_ropes_are_found_from_their_falls() -> None:
+    """None was sought above 1e9 N: a tonne that stretches a rope by 0.1 % needs up to 35 GN."""
+    for share in (0.0, 0.2):
+        EA = 3e10
+        damping = 2.0 * share * math.sqrt(EA * 2.8 * 1000.0)
+        found = rope_fall(EA, damping, 1000.0)
+        told = rope_from_fall(found.force, found.stretch, 1000.0)
+        assert told[0] == pytest.approx(EA, rel=1e-6)
+        assert told[1] == pytest.approx(damping, rel=1e-3, abs=1e-3 * math.sqrt(EA * 2800.0))
+    assert rope_from_fall(3.4e7, 0.001, 1000.0)[0] > 3e10

@@ -95,3 +95,21 @@ def test_the_largest_anchors_are_shown_where_a_rope_broke(
     (axes,) = plots.reactions(one_broke).axes
     shown = [line.get_label() for line in axes.lines if not line.get_label().startswith("_")]
     assert shown == ["hold-b", "pull-b"]
+
+
+@pytest.mark.parametrize("panels", [6, 0])
+def test_no_peak_between_frames_is_missing(panels: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Frames had 0.73 of the largest force that the run tells, and the limits were theirs."""
+    monkeypatch.setattr(reaction_forces, "_PANELS", panels)
+    cord = rw.Material(EA=1e4, mass_per_length=0.1)
+    rope = rw.Rope(
+        segments=4, length=1.0, made_of=cord, shape=Straight(start=(0, 0, 0)),
+        loads=[rw.Load(node=-1, mass=1.0)],
+    )  # fmt: skip
+    run = rw.RunSettings(duration=2.0, frame_rate=3.0)
+    result = rw.simulate(rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run))
+    largest = result.table["largest anchor force [N]"]
+    assert np.linalg.norm(result.reactions, axis=2).max() < 0.85 * largest
+    (axes,) = plots.reactions(result).axes
+    assert max(np.max(one.get_ydata()) for one in axes.lines) == pytest.approx(largest)
+    assert axes.get_ylim()[1] > largest

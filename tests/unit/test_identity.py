@@ -89,6 +89,13 @@ def test_every_folder_of_the_guard_is_there() -> None:
         assert list((PACKAGE / folder).glob("*.py")), folder
 
 
+@pytest.mark.parametrize("name", ["checkpoint", "resume", "run", "simulate"])
+def test_what_puts_a_state_back_and_leaves_ropes_behind_counts(name: str) -> None:
+    """A change of what a checkpoint restored was gone on with, as if it were to the same bits."""
+    assert PACKAGE / "record" / f"{name}.py" in identity.sources()
+    assert all(path.is_file() for path in identity.sources())
+
+
 @pytest.fixture
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(identity, "cache_root", lambda: tmp_path)

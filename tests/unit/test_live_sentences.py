@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from ropewalk.live.messages import error_message, sentence
+from ropewalk.live.parameters import PARAMETERS
 from ropewalk.scene import Fault, SceneError
 from ropewalk.scene.faults import NO_VALUE
 
@@ -36,3 +37,12 @@ def test_each_fault_of_a_message_has_a_line() -> None:
     faults = [Fault("node", 1, "is held"), Fault("mass", 2, "must be less")]
     text = error_message("load", 1, SceneError(faults))["text"]
     assert text == "This point is held (node: 1)\nMass must be less (mass: 2)"
+
+
+def test_only_faults_of_parameters_have_their_bounds() -> None:
+    """A load may weigh nothing; the least and greatest mass of a rope stood beside its refusal."""
+    error = SceneError([Fault("mass", -1.0, "must be from 0 to 1e+09 kg")])
+    for command, bounds in (("load", (None, None)), ("set", (PARAMETERS["mass"].minimum,) * 2)):
+        (fault,) = error_message(command, 1, error)["faults"]
+        assert fault["low"] == bounds[0]
+        assert (fault["high"] is None) == (command == "load")

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from matrices import dense_saddle
 from ropewalk.core.arrays import Joints
 from ropewalk.core.elimination import least_degree, points_of, tied_network
 from ropewalk.core.network import soften, solve_network
-from ropewalk.core.saddle import Saddle, dense_saddle
+from ropewalk.core.saddle import Saddle
 from unit.test_saddle import random_saddle
 
 CASES = {

@@ -3,24 +3,44 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import pytest
 
 from ropewalk.core.arrays import State, System
 from ropewalk.laws.pairs.force import pair_energy, pair_forces
-from ropewalk.laws.pairs.pair_memory import FADES, frame_of, remember_pairs
+from ropewalk.laws.pairs.offsets import FADES
+from ropewalk.laws.pairs.pair_memory import frame_of, remember_pairs
 from ropewalk.laws.pairs.search import freeze, new_row, row_of
-from ropewalk.laws.pairs.table import CONTACTS, FOUND, GONE, MORE, NORMAL, PUSH, SPRING
+from ropewalk.laws.pairs.table import (
+    CONTACTS,
+    FOUND,
+    GONE,
+    LEFT,
+    MORE,
+    NORMAL,
+    PUSH,
+    SETTLES,
+    SPRING,
+)
 from ropewalk.laws.pairs.way import begin_contact
 from ropewalk.lowering import build
-from ropewalk.scene import Anchor, Contact, Material, Rope, RunSettings, Scene, Straight
+from ropewalk.scene import Anchor, Contact, Load, Material, Rope, RunSettings, Scene, Straight
 from ropewalk.simulation import Broken, Simulation
 
 D = 0.01
 
 
-def crossed(at: float, *, speed: float = 0.0, free: bool = False, **contact: float) -> Scene:
+def crossed(
+    at: float,
+    *,
+    speed: float = 0.0,
+    free: bool = False,
+    loads: Sequence[Load] = (),
+    **contact: float,
+) -> Scene:
     """A rope of two segments along x, held everywhere, and a bar across it at x = `at` that presses by 1 %.
 
     The bar's ends are held, and go down by `speed`, or `free`.
@@ -36,7 +56,7 @@ def crossed(at: float, *, speed: float = 0.0, free: bool = False, **contact: flo
             shape=Straight(start=(0, 0, 0), end=(0.2, 0, 0)),
             **common,
         ),
-        Rope(name="b", segments=1, length=0.2, shape=bar, **common),
+        Rope(name="b", segments=1, length=0.2, shape=bar, loads=list(loads), **common),
     ]
     anchors = [Anchor(rope="a", node=k) for k in range(3)]
     motion = {"motion": {"kind": "velocity"} | down} if speed else {}
@@ -51,10 +71,11 @@ def crossed(at: float, *, speed: float = 0.0, free: bool = False, **contact: flo
     )
 
 
-def pressed(at: float) -> tuple[System, State]:
-    """Tables and state of it, the contact found and pressed."""
-    model = build(crossed(at), drawn=False)
+def pressed(at: float, **more: Any) -> tuple[System, State]:
+    """Tables and state of it, the contact found and pressed, as statics has it."""
+    model = build(crossed(at, **more), drawn=False)
     state, table = model.state, model.system.node.contact
+    state.memory.contact.tally[SETTLES] = 1
     remember_pairs(state.x, state.v, 50.0 * FADES, table, state.memory.contact, state.tied)
     assert state.memory.contact.tally[CONTACTS] == 1
     return model.system, state
@@ -92,6 +113,8 @@ def test_friction_is_handed_on_to_a_contact_that_was_found_on_the_way() -> None:
     table, memory = system.node.contact, state.memory.contact
     memory.grip[0, SPRING : SPRING + 3] = (0.01, 0.0, 0.0)
     memory.grip[0, PUSH] = push_of(system, state)[0]
+    left = 0.007 * D  # so deep statics left it: a run presses it up no further
+    memory.tally[SETTLES], memory.grip[0, LEFT] = 0, left
     state.x[0, 3:] = 0.106
     row = -1 - row_of(memory, 1, 3)
     assert new_row(memory, 1, 3, row)
@@ -104,6 +127,7 @@ def test_friction_is_handed_on_to_a_contact_that_was_found_on_the_way() -> None:
     assert memory.grip[0, FOUND] == memory.grip[0, GONE] == 0.0
     assert memory.grip[0, PUSH] > 0.0
     assert abs(memory.grip[0, SPRING]) > 0.005
+    assert memory.grip[0, LEFT] == left
 
 
 @pytest.mark.parametrize(("turn", "within"), [(1.0, 2e-3), (0.2, 0.05), (0.0, 1e-9)])

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from matrices import dense_saddle
 from ropewalk.core.arrays import Floats, Ints, State, System
 from ropewalk.core.block_runs import eliminate_runs, find_runs, has_runs
 from ropewalk.core.elimination import tied_network
 from ropewalk.core.network import Network, eliminate, gather, solve_gathered
 from ropewalk.core.ordering import ask_for, begin_groups, order_groups
-from ropewalk.core.saddle import dense_saddle
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
 from ropewalk.laws.pairs.force import depth_at, pair_energy, pair_forces, squeeze
 from ropewalk.laws.pairs.pair_tangent import couple_pairs

@@ -13,14 +13,16 @@ import ropewalk as rw
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import Recorder, record_run
-from verification.test_parting import pulled
+from ropewalk.sweeps.keep import DERIVED
+from verification.test_parting import pulled, string
 
 SEGMENTS = 8
+PULLED = pulled(segments=SEGMENTS, axial_damping=0.5)
 
 
 @pytest.fixture(scope="module")
 def result() -> Result:
-    made = rw.simulate(pulled(segments=SEGMENTS, axial_damping=0.5))
+    made = rw.simulate(PULLED)
     assert len(made.partings) == 1
     assert made.time[0] < made.partings[0].time < made.time[-1]
     return made
@@ -56,13 +58,17 @@ class Killed(BaseException):
     """Stands for the end of the process."""
 
 
+@pytest.mark.parametrize("scene", [PULLED, string("adaptive", load=10.0)], ids=["pulled", "at 0 s"])
 def test_a_killed_run_tells_of_no_parting_beyond_its_frames(
-    result: Result, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    scene: rw.Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """All was simulated and logged, and nothing committed but the first frame: it told of a parting that no
-    frame has. Resumed it parts once, as the twin that was never killed.
+    frame has. Resumed it parts once, as the twin that was never killed. One that is overloaded from the start
+    parts with `adaptive` after the frame of that very time: its log was called damaged.
     """
-    folder = tmp_path / "run"
+    folder, result = tmp_path / "run", rw.simulate(scene)
+    (parting,) = result.partings
+    assert parting.time == 0.0 or scene is PULLED
 
     def killed(recorder: Recorder, status: str) -> None:
         raise Killed
@@ -70,7 +76,7 @@ def test_a_killed_run_tells_of_no_parting_beyond_its_frames(
     with monkeypatch.context() as patch:
         patch.setattr(Recorder, "commit", killed)
         with pytest.raises(Killed):
-            record_run(pulled(segments=SEGMENTS, axial_damping=0.5), folder, commit_seconds=1e9)
+            record_run(scene, folder, commit_seconds=1e9)
     assert '"rope parted"' in (folder / "events.jsonl").read_text()
     early = rw.open(folder)
     assert (early.frames, early.status) == (1, "interrupted")
@@ -79,4 +85,6 @@ def test_a_killed_run_tells_of_no_parting_beyond_its_frames(
     assert early.table["segments parted"] == 0
     whole = resume_run(folder)
     assert whole.partings == result.partings
+    gone = (result.rest_length == 0.0).sum(axis=1)
+    np.testing.assert_array_equal(DERIVED["segments_parted"].of(result), gone)
     assert sum(event["event"] == "rope parted" for event in whole.events) == 1

@@ -52,6 +52,12 @@ def nested(n):
     return a + b + found
 
 
+def with_constants(pair, more):
+    """Use constants that numba looks for."""
+    pair[1] = pair[0] ** 2
+    return (pair, *more)
+
+
 def told(blocks: dict[int, Any]) -> str:
     """Return all statements as text."""
     file = StringIO()
@@ -90,6 +96,64 @@ def test_phis_become_assignments_as_numba_strips_them(function) -> None:
         PreLowerStripPhis()._strip_phi_nodes(theirs).blocks
     )
     assert told(ours.blocks) == before
+
+
+@pytest.mark.parametrize("function", [behind, on_one_way, nested, with_constants])
+def test_functions_are_read_as_numba_reads_them(function) -> None:
+    from types import SimpleNamespace
+
+    from numba.core import bytecode
+    from numba.core.interpreter import Interpreter
+    from numba.core.transforms import canonicalize_cfg
+    from numba.core.untyped_passes import GenericRewrites
+
+    from ropewalk.core.frontend import ReadByteCode, Rewrite
+
+    def state() -> Any:
+        own = bytecode.FunctionIdentity.from_function(function)
+        more = {"typemap": None, "calltypes": None, "status": SimpleNamespace(can_fallback=False)}
+        return SimpleNamespace(func_id=own, bc=bytecode.ByteCode(own), **more)
+
+    theirs, ours = state(), state()
+    theirs.func_ir = Interpreter(theirs.func_id).interpret(theirs.bc)
+    ReadByteCode().run_pass(ours)
+    before = told(ours.func_ir.blocks)
+    assert before == told(theirs.func_ir.blocks)
+    GenericRewrites().run_pass(theirs)
+    Rewrite().run_pass(ours)
+    after = told(canonicalize_cfg(ours.func_ir.blocks))  # as `Passes` does after it
+    assert after == told(theirs.func_ir.blocks)
+    assert after != before or function is not with_constants
+
+
+@pytest.mark.parametrize("function", [behind, on_one_way, nested])
+def test_variables_are_found_as_numba_finds_them(function) -> None:
+    from numba.core import compiler
+    from numba.core.analysis import compute_use_defs
+
+    from ropewalk.core.frontend import variables_of
+    from ropewalk.core.values import _used
+
+    blocks = compiler.run_frontend(function).blocks
+    statements = [one for block in blocks.values() for one in block.body]
+    assert any(one.list_vars() for one in statements)
+    for one in statements:
+        assert variables_of(one) == one.list_vars()
+    assert {label: _used(block) for label, block in blocks.items()} == compute_use_defs(
+        blocks
+    ).usemap
+
+
+def test_nobody_is_told_of_calls_of_llvm() -> None:
+    import llvmlite.binding as llvm
+    from numba.core import event
+
+    import ropewalk.core.compiler
+
+    with event.install_recorder("numba:llvm_lock") as heard:
+        llvm.parse_assembly("")
+    assert ropewalk.core.compiler.tell_nobody
+    assert not heard.buffer
 
 
 def test_an_error_in_a_pass_names_it() -> None:

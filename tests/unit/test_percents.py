@@ -46,7 +46,7 @@ def test_margins_are_written_out() -> None:
     assert margin_words(39.24) == (
         "3924 % of the breaking load, safety factor 0.0254; it would have parted"
     )
-    assert margin_words(0.1234).startswith("12.3 % of")
+    assert margin_words(0.1234).startswith("12.4 % of")
 
 
 def test_what_is_at_most_or_at_least_is_rounded_to_the_safe_side() -> None:
@@ -54,7 +54,8 @@ def test_what_is_at_most_or_at_least_is_rounded_to_the_safe_side() -> None:
     assert margin_words(0.501).endswith("safety factor 1.99")
     assert margin_words(0.2 * (1.0 + 1e-11)).endswith("safety factor 5")
     assert percent_up(12.34, 3) == "12.4 %"
-    assert percent_up(1234.0, 3) == "1240 %"
+    assert percent_up(1234.2, 3) == "1235 %"
+    assert margin_words(1.0001).startswith("101 % of the breaking load, safety factor 0.999; it")
     assert percent_up(20.0 * (1.0 + 1e-11), 3) == "20 %"
     assert percent_up(0.0) == "0 %"
     assert outwards(1234.9, 2345.1) == (1234.0, 2346.0)
@@ -78,8 +79,8 @@ def test_run_times_are_written_out(seconds: float, measured: bool, words: str) -
 def test_one_thing_is_no_plural() -> None:
     assert [counted(number, "step") for number in (0, 1, 2)] == ["0 steps", "1 step", "2 steps"]
     ends = tuple(End((name,), 0.1, 5, f"{name} broke.") for name in "abcd")
-    assert in_words(ends, 4) == "a broke. b broke. c broke. 1 more rope broke after that."
-    assert in_words((*ends, ends[0]), 5).endswith("2 more ropes broke after that.")
+    assert in_words(ends, 4) == "a broke. b broke. c broke. 1 more rope ended after that."
+    assert in_words((*ends, ends[0]), 5).endswith("2 more ropes ended after that.")
     scene = hanging(duration=0.01, frame_rate=100.0, time_step=0.01, segments=1)
     found = check(scene, measure=False)
     assert found.pace == "1 frame of 1 step, 1 step of 10 ms"

@@ -186,7 +186,9 @@ def test_tension_image_is_the_tension_over_arc_length(three_anchors):
     peaks, lows = three_anchors.greatest_tension, three_anchors.least_tension
     farthest = np.where(np.abs(lows) > np.abs(peaks), lows, peaks)
     np.testing.assert_array_equal(image.get_array(), farthest.T)
-    assert image.get_extent()[2:] == [0.0, 40.0]
+    time = three_anchors.time
+    interval = time[-1] / (len(time) - 1)  # a column is of the steps that end at its frame
+    assert image.get_extent() == pytest.approx([-interval, time[-1], 0.0, 40.0], abs=1e-9)
     profile = figure.axes[1].lines[0]
     np.testing.assert_array_equal(profile.get_ydata(), three_anchors.tension[60])
     np.testing.assert_allclose(profile.get_xdata(), np.arange(40) + 0.5)
@@ -311,6 +313,11 @@ def test_reactions_show_components_and_magnitude(three_anchors, many_ropes):
     np.testing.assert_array_equal(line(figure.axes[0], "y").get_ydata(), left[:, 1])
     size = np.linalg.norm(left, axis=1)
     np.testing.assert_allclose(line(figure.axes[0], "magnitude").get_ydata(), size, rtol=1e-12)
+    most = line(figure.axes[0], "largest of all steps")
+    np.testing.assert_array_equal(
+        most.get_ydata(), three_anchors.read("greatest_reactions", 0, three_anchors.frames)[:, 0]
+    )
+    assert most.get_drawstyle() == "steps-pre"
     together = plots.reactions(many_ropes)
     assert len(together.axes) == 1
     assert len([a for a in together.axes[0].lines if not a.get_label().startswith("_")]) == 8

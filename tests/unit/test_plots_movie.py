@@ -10,7 +10,7 @@ from PIL import Image
 
 from ropewalk import plots
 from ropewalk.plots.gif import GifWriter, make_palette
-from ropewalk.plots.movies import decimals
+from ropewalk.plots.movies import _Painter, decimals, stage, window_box
 from ropewalk.record.simulate import simulate_in_memory
 from ropewalk.scene import apply_overrides
 from ropewalk.scene.presets import preset
@@ -57,6 +57,23 @@ def test_gif_has_its_pictures_and_plays_for_its_time(rope, tmp_path, fps, speed,
     assert abs(sum(times) - 1000 * count / fps) <= 5  # GIF counts hundredths of a second
     assert seen == [(i + 1, count) for i in range(count)]
     assert [p.name for p in tmp_path.iterdir()] == ["rope.gif"]
+
+
+def test_a_window_is_all_in_the_picture_and_widened_to_fill_it(rope):
+    box = stage(rope, "xy", (640, 360), window_box((0.0, 1.0, -0.1, 0.1))).box
+    assert (box.left, box.right) == (0.0, 1.0)
+    assert box.low == pytest.approx(-box.high)
+    assert box.high > 0.1
+    whole = stage(rope, "xy", (640, 360)).box
+    assert whole.right - whole.left > 1.5
+
+
+@pytest.mark.parametrize("size", [(600, 260), (900, 260), (900, 200)])
+def test_the_words_below_a_low_wide_picture_are_inside_it(rope, size):
+    """Laid out once, "x [m]" stood up to 3 pixels below the picture: where that is 260 high, it was cut."""
+    seen = stage(rope, None, size, window_box((-1.2, 1.1, -0.05, 0.75)))
+    painter = _Painter(rope, seen, size, 1.0, 2)
+    assert painter._axes.xaxis.label.get_window_extent().y0 > 4.0
 
 
 def test_pictures_are_white_and_change(rope, tmp_path):
@@ -130,6 +147,11 @@ def test_words_of_a_failing_ffmpeg_are_passed_on(rope, tmp_path, monkeypatch):
         ({"speed": -1.0}, "speed: -1.0 - must be positive"),
         ({"speed": float("nan")}, "speed: nan - must be positive"),
         ({"size": (10, 10)}, "size: (10, 10) - must be two numbers of pixels"),
+        ({"window": (1, 0, 0, 1)}, "window: (1, 0, 0, 1) - must be left, right, low and high [m]"),
+        ({"window": (0, 1, 0)}, "window: (0, 1, 0) - must be left, right, low and high [m]"),
+        ({"window": ("a", 1, 0, 1)}, "window: ('a', 1, 0, 1) - must be left, right, low and high"),
+        ({"window": 2.0}, "window: 2.0 - must be left, right, low and high [m]"),
+        ({"window": (0, float("inf"), 0, 1)}, "must be left, right, low and high [m]"),
     ],
 )
 def test_what_makes_no_movie_is_refused(rope, tmp_path, change, words):

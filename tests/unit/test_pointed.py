@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from copy import deepcopy
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from numba.core.errors import TypingError
 
 from ropewalk.core import cache
+from ropewalk.core.addresses import Kept, handed
 from ropewalk.core.jit import PLAIN, kernel
 
 
@@ -130,6 +132,34 @@ def test_a_tuple_with_new_arrays_is_read_anew() -> None:
         out = np.zeros(6)
         hand_on(value, out)
         assert np.array_equal(out, expected(value))
+
+
+def test_a_block_is_taken_for_its_tuple() -> None:
+    """What its arrays hold now; tuples of other types, and that one itself, are handed over beside it."""
+    value = outer(np.arange(24.0).reshape(4, 6), np.arange(4.0))
+    other = outer(np.asfortranarray(np.ones((4, 6))), np.arange(8.0)[::2])
+    blocks = handed(value, other, value.inner)
+    value.table[1, 2] = 77.0
+    for one, block in zip((value, other), blocks[:2], strict=True):
+        for given in (one, block, one):
+            out = np.zeros(6)
+            hand_on(given, out)
+            assert np.array_equal(out, expected(one))
+    out = np.zeros(6)
+    read_inner(blocks[2], out)
+    assert out[5] == value.inner.numbers[2]
+
+
+@pytest.mark.skipif(PLAIN, reason="Python has no addresses")
+def test_a_copy_of_what_is_kept_has_its_own_arrays() -> None:
+    kept = Kept(outer(np.arange(24.0).reshape(4, 6), np.arange(4.0)))
+    twin = deepcopy(kept)
+    kept.value.table[1, 2] = 77.0
+    for one in (kept, twin):
+        out = np.zeros(6)
+        hand_on(one.block, out)
+        assert np.array_equal(out, expected(one.value))
+    assert twin.value.table[1, 2] == 8.0
 
 
 @kernel

@@ -33,6 +33,18 @@ def clamped(method: str = "esdirk3") -> rw.Scene:
     return rw.Scene(ropes=[rope], anchors=[anchor], run={"method": method})
 
 
+def test_no_frames_keep_a_goal() -> None:
+    """They divided its way by no time at all."""
+    sim = rw.Simulation(held())
+    goal = np.array([0.0, 0.0, 0.01])
+    sim.anchors["hand"].move_to(goal)
+    with np.errstate(all="raise"):
+        sim.advance_frames(0)
+    np.testing.assert_array_equal(sim.anchors["hand"].velocity, 0.0)
+    sim.advance_frames(1)
+    np.testing.assert_array_equal(sim.positions[0], goal)
+
+
 def path(time: float) -> np.ndarray[Any, np.dtype[np.float64]]:
     return np.array([0.1 * np.sin(5.0 * time), 0.03 * time, 0.2 * (1.0 - np.cos(4.0 * time))])
 
@@ -54,6 +66,18 @@ def test_an_anchor_is_where_it_was_told_to_be_to_the_last_bit(method: str) -> No
     sim.step(0.1)  # told nothing, it rests
     np.testing.assert_array_equal(hand.position, there)
     np.testing.assert_array_equal(sim.velocities[0], 0.0)
+
+
+def test_a_hand_comes_to_the_origin_exactly() -> None:
+    """What rounding may be was a share of the goal, which is nothing at the origin: -4.7e-17 m."""
+    sim = rw.Simulation(held("verlet"))
+    hand = sim.anchors["hand"]
+    for k in range(1, 20):
+        hand.move_to((0.1 * k, -0.07 * k, 0.03))
+        sim.step(TICK)
+        hand.move_to((0.0, 0.0, 0.0))
+        sim.step(TICK)
+        np.testing.assert_array_equal(hand.position, 0.0)
 
 
 def test_a_pose_is_the_velocity_that_leads_there() -> None:

@@ -81,6 +81,11 @@ def test_a_line_begins_as_it_hangs_alone(name: str, ends: tuple[float, float]) -
     assert tension.min() > 0.95 * min(hung.tensions)
 
 
+def test_only_the_lesson_stands_on_the_lesson_s_ground() -> None:
+    """All others touch an obstacle, whose friction sticks."""
+    assert [name for name in names() if preset(name).ground] == ["n40"]
+
+
 def test_a_slack_shape_may_have_a_sag_of_its_own() -> None:
     shape = Slack(start=(0, 0, 1), end=(30, 40, 11), sag="3 m")  # type: ignore[arg-type]
     x = shape.places(4000, 1.0, 1.0, (0.0, 0.0, 1.0), 0.01)

@@ -18,6 +18,7 @@ import ropewalk as rw
 import runs
 from ropewalk import plots
 from ropewalk.api import BrokenRun
+from ropewalk.core.status import OK
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 
@@ -99,6 +100,7 @@ def test_without_a_ledger_the_balances_are_not_numbers(tmp_path: Path) -> None:
     assert "no energy ledger" in repr(bare)
     assert all(np.isnan(work).all() for work in bare.work.values())  # zeros, which were told
     assert np.isnan(bare.dataset["work"]).all()
+    assert np.isnan(bare.read("work")).all()  # as in a folder; zeros were read
     rw.run(runs.hanging(duration=0.1), tmp_path / "run", ledger=False)
     with xr.open_zarr(tmp_path / "run" / "data.zarr", chunks=None) as data:
         assert np.isnan(data["work"]).all()
@@ -309,10 +311,13 @@ def test_what_is_no_count_of_steps_or_frames_is_refused(count: Any) -> None:
     for name, advance in (
         ("steps", simulation.advance_steps),
         ("frames", simulation.advance_frames),
+        ("frames", lambda count: next(simulation.frames(count))),
     ):
         rule = f"{name}: {count!r} - must be a whole number from 0 on"
         with pytest.raises(ValueError, match=re.escape(rule)):
             advance(count)
+    assert simulation.advance_steps(0) == OK  # it divided by zero
     assert simulation.time == 0.0
+    assert list(simulation.frames(0)) == []
     simulation.advance_steps(np.int64(2))
     assert simulation.time == pytest.approx(2.0 * simulation.plan.dt)

@@ -7,8 +7,9 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from matrices import dense_saddle
 from ropewalk.core.band_sweep import band_sweep
-from ropewalk.core.saddle import Saddle, dense_saddle, make_saddle
+from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.sweep import leaning_sweep, sweep
 
 SIZES = (2, 3, 4, 5, 8, 13)

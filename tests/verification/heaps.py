@@ -41,7 +41,7 @@ from verification.topology import crossings, determinant
 
 STEP = 1.0 / 60.0  # [s]
 FAR = 10.0  # [m]
-REST = 6.0  # [s] after the last of it was fed
+REST = 10.0  # [s] after the last of it was fed
 TOP = 0.1  # [m] where the hand stops
 
 

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from matrices import stiffness_and_friction
 from ropewalk.core import arrays
 from ropewalk.core.band import dense
-from ropewalk.laws.tangent import stiffness_and_friction
 from ropewalk.lowering import build
 from ropewalk.methods.loop import prepare
 from ropewalk.scene import Anchor, Clamp, Material, Rope, RunSettings, Scene

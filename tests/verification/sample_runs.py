@@ -12,6 +12,7 @@ from ropewalk.analysis.check import check
 from ropewalk.laws.registry import NAMES
 from ropewalk.lowering import build
 from ropewalk.methods.recording import LAWS
+from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Anchor, Material, Rope, Scene
 from ropewalk.scene.base import Model, Number, Vector, quantity, vector
 from ropewalk.statics import checked_shape
@@ -19,6 +20,13 @@ from ropewalk.vibration import modes
 
 K = 40.0
 POINT = (0.3, 0.1, 0.2)
+STEPS = {
+    "euler": 5e-5,
+    "semi-implicit-euler": 1e-4,
+    "verlet": 1e-4,
+    "implicit-euler": 1e-4,
+    "adaptive": 1e-2,
+}
 
 
 class Well(Model):
@@ -96,12 +104,8 @@ def everything() -> dict[str, Any]:
         "laws": LAWS,
         "table": list(model.system.node.well._fields),
         "start": potential(model.state.x),
-        "verlet": moved("verlet", 1e-4),
-        "semi-implicit-euler": moved("semi-implicit-euler", 1e-4),
-        "rk4": moved("rk4", 1e-3),
-        "esdirk3": moved("esdirk3", 1e-3),
-        "adaptive": moved("adaptive", 1e-2),
-        "generalized-alpha": moved("generalized-alpha", 1e-3),
+        **{method: moved(method, STEPS.get(method, 1e-3)) for method in METHODS},
+        "coarse": {name: moved(name, 2.0 * STEPS[name]) for name in ("euler", "implicit-euler")},
         "without": moved("rk4", 1e-3, well=None),
         "anchored": moved("rk4", 1e-3, anchors=held_end),
         "two": moved("esdirk3", 1e-3, ropes=[rope(), rope("other", 1.0)]),

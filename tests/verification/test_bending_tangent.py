@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from matrices import stiffness_and_friction
 from ropewalk.core.arrays import BENDING
 from ropewalk.core.band import dense
 from ropewalk.laws.bending_tangent import bending_tangent
 from ropewalk.laws.clamps import bent_energy
-from ropewalk.laws.tangent import stiffness_and_friction
 from ropewalk.methods.loop import prepare
 from ropewalk.scene import Anchor, Clamp, Material, Rope, Scene
 from ropewalk.simulation import Simulation

@@ -93,6 +93,11 @@ def test_c8_largest_steps() -> None:
     long = 1e3 * (-2.0 * C + math.sqrt(4.0 * C**2 + 4.0 * K * M)) / (2.0 * K)
     assert long == pytest.approx(2.231, abs=5e-4)
     assert measured("C8", "largest step, semi-implicit Euler") == pytest.approx(long, rel=4e-3)
+    ends = 4.0 * math.sin(19.0 * math.pi / 40.0) ** 2  # mu of 19 free masses
+    exact = 1e3 * (-C * ends + math.sqrt((C * ends) ** 2 + 4.0 * K * M * ends)) / (K * ends)
+    assert outcome("C8").theory.startswith(
+        f"The bounds are {exact:.4f} ms, from k μ dt² / m + 2 c μ dt / m < 4 of 19 free masses"
+    )
     assert measured("C8", "largest step, Euler") == pytest.approx(1e3 * C / K, rel=2e-3)
 
 

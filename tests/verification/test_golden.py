@@ -20,7 +20,9 @@ from ropewalk.methods.registry import METHODS
 def test_golden_state(law: str, method: str) -> None:
     """The bits on machines that have written theirs; on another one the numbers to rounding.
 
-    The twin: one step later they differ by far more.
+    Processors of one name may do as those of another one (a Zen 4 writes for four states of slack
+    ropes what an Emerald Rapids does): bits are those of any machine that has written. The twin: one
+    step later the numbers differ by far more.
     """
     kept = json.loads(path(method).read_text(encoding="utf-8"))
     found = final(law, method)
@@ -30,7 +32,7 @@ def test_golden_state(law: str, method: str) -> None:
         return
     assert misfit(found, kept[law]) <= ROUNDING
     if machine() in kept[law]["bits"]:
-        assert found["bits"][machine()] == kept[law]["bits"][machine()]
+        assert found["bits"][machine()] in kept[law]["bits"].values()
     assert misfit(final(law, method, frames=7), kept[law]) > 1e3 * ROUNDING
 
 

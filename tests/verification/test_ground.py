@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
+from matrices import stiffness_and_friction
 from ropewalk.core import arrays
 from ropewalk.core.band import dense
-from ropewalk.laws.tangent import stiffness_and_friction
 from ropewalk.lowering import build
 from ropewalk.methods.loop import prepare
 from ropewalk.methods.registry import METHODS

@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 from ropewalk.core.status import OK
-from ropewalk.methods.implicit import MOST_HALVINGS, take_step
+from ropewalk.methods.implicit import take_step
+from ropewalk.methods.part_lengths import MOST_HALVINGS
 from ropewalk.methods.recording import bends, work_names
 from ropewalk.methods.stage_report import SPLITS
 from ropewalk.methods.tableaus import DIRK

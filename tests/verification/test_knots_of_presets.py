@@ -54,10 +54,13 @@ def test_a_bowline_does_not_run() -> None:
 
 @pytest.mark.parametrize("step", [1.0 / 120.0, 1.0 / 480.0, 1.0 / 960.0])
 def test_a_bowline_is_loaded_alike_at_other_steps(step: float) -> None:
-    """With softer contacts and longer segments shorter steps found no solution after 100 to 240 N."""
+    """With softer contacts and longer segments shorter steps found no solution after 100 to 240 N.
+
+    At the preset's own step of 1/240 s it is 321 N.
+    """
     scene = preset("bowline")
     result = rw.simulate(scene.replace(run=scene.run.replace(time_step=step)))
-    assert result.tension[-1, 0] == pytest.approx(318.0, rel=0.03)
+    assert result.tension[-1, 0] == pytest.approx(325.0, rel=0.02)
 
 
 def test_half_hitches_hold_with_friction() -> None:

@@ -89,3 +89,24 @@ def test_a_plumb_that_leans_on_a_cord_comes_to_rest() -> None:
     found = swings(scene, "plumb", 0)
     assert found[0] > 0.005
     assert found[-1] < 2e-4
+
+
+@pytest.mark.parametrize(
+    ("method", "step"), [("sdirk2", 1.0 / 240.0), ("implicit-euler", 1.0 / 60.0)]
+)
+def test_a_lever_whose_end_moves_as_its_contact_is_pressed_up_comes_to_rest(
+    method: str, step: float
+) -> None:
+    """100 g at the end of half a metre, over a cord at a tenth of it: 11.0 N press on that."""
+    height = 0.998 * DIAMETER
+    lever = cord("lever", (0, 0, height), (0.5, 0, height), 1, 0.1, 1)
+    ends = [(name, node) for name, node in (("held", 0), ("held", 1), ("lever", 0))]
+    scene = Scene(
+        ropes=[cord("held", (0.05, -0.1, 0), (0.05, 0.1, 0), 1, 0.0, 0), lever],
+        anchors=[Anchor(rope=name, node=node) for name, node in ends],
+        contact=Contact(friction=0.3),
+        run=RunSettings(method=method, time_step=step, duration=20.0, frame_rate=60),
+    )
+    found = swings(scene, "lever", 2)
+    assert found[0] > 0.005
+    assert found[-1] < 2e-4

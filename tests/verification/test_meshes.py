@@ -199,6 +199,38 @@ def test_files_are_read_and_no_longer_needed(suffix: str, tmp_path: Path) -> Non
     assert (table.kind == MESH).all()
 
 
+def test_a_copy_of_a_vertex_for_every_triangle_is_one_vertex() -> None:
+    """As libraries give them, and files of them pass; what is open is told by its own edges alone."""
+    loose = [CORNERS[corner] for face in FACES for corner in face]
+    faces = [(3 * k, 3 * k + 1, 3 * k + 2) for k in range(len(FACES))]
+    body = Mesh(vertices=loose, faces=faces)
+    assert len(body.vertices) == len(CORNERS)
+    assert loads(dumps(dropped(body))) == dropped(body)
+    rows = [place_of(one)[2] for one in (body, Mesh(vertices=CORNERS, faces=FACES))]
+    for place in np.random.default_rng(2).uniform(-2.0, 2.0, (50, 3)):
+        one, other = (probe(MESH, np.zeros(3), np.array([0.0, 0, 1]), row, *place) for row in rows)
+        np.testing.assert_allclose(one[:4], other[:4], atol=1e-12)
+    with pytest.raises(SceneError, match="must be closed: 3 edges"):
+        Mesh(vertices=loose, faces=faces[1:])
+    # Two cubes along one edge are closed as they are, and stay so.
+    twice = [*CORNERS, *[(x + 2.0, y + 2.0, z) for x, y, z in CORNERS]]
+    both = [*FACES, *[tuple(8 + corner for corner in face) for face in FACES]]
+    assert len(Mesh(vertices=twice, faces=both).vertices) == 16
+
+
+def test_solids_that_share_an_edge_are_told_so() -> None:
+    """Of two cubes along one edge each is closed, and nobody disagrees; one triangle turned round does."""
+    twice = [*CORNERS, *[(x + 2.0, y + 2.0, z) for x, y, z in CORNERS]]
+    both = [*FACES, *[tuple(8 + corner for corner in face) for face in FACES]]
+    corners = sorted(set(twice))
+    joined = [tuple(corners.index(twice[corner]) for corner in face) for face in both]
+    with pytest.raises(SceneError, match="two solids, or two parts of one, share an edge") as told:
+        Mesh(vertices=corners, faces=joined)
+    assert "disagree" not in str(told.value)
+    with pytest.raises(SceneError, match="disagree which side is outside"):
+        Mesh(vertices=CORNERS, faces=[FACES[0][::-1], *FACES[1:]])
+
+
 def ball_of_distances(spacing: float) -> Any:
     """Distances to a ball of radius 0.3 about the origin, (n, n, n), and the grid's first point."""
     first = -0.4

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Cylinder, Points, SceneError, Spin
+from ropewalk.scene import Cylinder, Points, Polyline, SceneError, Spin
 
 RADIUS, THICK, EA, MASS, g = 0.05, 0.002, 1000.0, 1.0, 9.81
 ROUND, DOWN = 16, 50  # segments round half of the wheel, and on each side of it
@@ -79,6 +79,32 @@ def test_a_bearing_that_rubs_holds_the_wheel() -> None:
     assert "bearing holds it" in rw.modes(atwood(bearing=0.01), count=1).notes[0]
     together, against = upright(atwood(bearing=0.01))
     assert against == pytest.approx(together, rel=1e-3)
+
+
+def test_corners_that_hold_a_wheel_are_told() -> None:
+    """A rope leaves it 1.7 degrees past its last node: that node's arm holds the wheel, as a bump does."""
+    turn, step = np.linspace(math.pi, 0.0, 25), 0.0551
+    over = [(float(step * np.cos(a)), 0.0, float(step * np.sin(a))) for a in turn]
+    points = [(-step, 0.0, -0.5), *over, (step, 0.0, -0.5)]
+    line = rw.Rope(
+        name="line",
+        segments=120,
+        length=float(np.linalg.norm(np.diff(np.array(points), axis=0), axis=1).sum()),
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=0.002),
+        shape=Polyline(points=points),
+        loads=[rw.Load(node=node, mass=1.0) for node in (0, -1)],
+    )
+    spin = Spin(free=True, inertia=2e-3)
+    wheel = Cylinder(
+        name="wheel", start=(0, -0.1, 0), end=(0, 0.1, 0), radius=RADIUS, friction=0.5, spin=spin
+    )
+    found = rw.modes(rw.Scene(ropes=[line], obstacles=[wheel], run=atwood().run), count=2)
+    assert 0.2 < found.frequencies[0] < 0.4
+    (note,) = found.bumps
+    assert note in found.notes
+    assert f"pulley 'wheel' turns in mode 1 at {found.frequencies[0]:.4g} Hz" in note
+    assert note.endswith("without segments it is 0: it turns on")
 
 
 def test_a_wheel_that_turns_on_has_no_modes() -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.analysis.strains import parting_warnings
+from ropewalk.analysis.strains import breaking_warnings, parting_warnings
 from ropewalk.cli.commands.run import _tell_of_partings
 from ropewalk.laws.pairs.table import CONTACTS, NEAR
 from ropewalk.methods.registry import METHODS
@@ -153,6 +153,15 @@ def test_of_a_guessed_breaking_load_the_least_counts(
     )
     found = parting_warnings(scene, (rope,))
     assert [text.partition("at rest; ")[2] for text in found] == ([then] if then else [])
+
+
+def test_what_a_rope_carries_over_its_breaking_load_is_rounded_up() -> None:
+    """It read 100 % of the breaking load and 1 times it, and that it parts."""
+    scene = hung(100.0)
+    rope = replace(rw.check(scene).ropes[0], utilisation=1.00004, worst=None, parts_at_rest=True)
+    assert "carries 100.1 % of the breaking load" in parting_warnings(scene, (rope,))[0]
+    holds = replace(rope, worst=1.00004, parts=False)
+    assert "carries 1.01 times its breaking load" in breaking_warnings((holds,))[0]
 
 
 def test_both_ends_fly_apart_with_equal_and_opposite_momentum() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -216,6 +217,9 @@ def test_between_which_places_friction_holds_it(friction: float) -> None:
     assert "is held anywhere from" in in_words(found.seats[0], places)
     between = in_words(found.seats[0], (3.12345, 7.98765))  # both ends as they are told hold it
     assert "from 3.124 to 7.987 m" in between
+    edge = replace(found.seats[0], at=102.3212)  # it rested before the first place that holds it
+    assert edge.at > 102.3108
+    assert "from 102.32 to 128.58 m" in in_words(edge, (102.3108, 128.586))
 
 
 def test_where_nothing_says_between_which_places() -> None:

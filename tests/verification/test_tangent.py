@@ -14,9 +14,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from matrices import stiffness_and_friction
 from ropewalk.core import arrays
 from ropewalk.core.band import clear_band, dense
-from ropewalk.laws.tangent import assemble_tangent, law_band, stiffness_and_friction
+from ropewalk.laws.tangent import assemble_tangent, law_band
 from ropewalk.methods.loop import prepare
 from ropewalk.scene import Air, Anchor, Ground, Material, Rope, Scene, Springs, Straight, Winch
 

@@ -193,14 +193,15 @@ def test_a_nodes_friction_is_that_of_its_arc(turn: float) -> None:
         assert (1.0 + slope) / (1.0 - slope) == pytest.approx(math.exp(mu * turn), rel=1e-12)
 
 
+@pytest.mark.parametrize("share", [0.0, 0.4])
 @pytest.mark.parametrize("name", BODIES)
-def test_tangents_are_the_derivatives_of_the_forces(name: str) -> None:
-    """Central differences, for contacts that stick and slip, on bodies at rest and turning."""
+def test_tangents_are_the_derivatives_of_the_forces(name: str, share: float) -> None:
+    """Central differences, for contacts that stick, slip and throw back, on bodies at rest and turning."""
     rng = np.random.default_rng(1)
-    body = BODIES[name].replace(friction=0.4, compliance=0.02)
+    body = BODIES[name].replace(friction=0.4, compliance=0.02, restitution=share)
     rope = Rope(segments=4, length=4.0, made_of=Material(EA=1.0, mass_per_length=0.1), diameter=0.3)
     far = rope.replace(shape=Points(points=[(9.0, 9.0, 9.0 + i) for i in range(5)]))
-    model = build(Scene(ropes=[far], obstacles=[body]))
+    model = build(Scene(ropes=[far], obstacles=[body], run=RunSettings(method="adaptive")))
     system, state = model.system, arrays.copy(model.state)
     table, memory = system.node.obstacle, state.memory.obstacle
     now, touched = np.array([0.35, 0.3]), 0

@@ -10,7 +10,8 @@ import pytest
 
 from ropewalk import simulate
 from ropewalk.laws.pairs.force import pair_forces
-from ropewalk.laws.pairs.pair_memory import FADES, remember_pairs
+from ropewalk.laws.pairs.offsets import FADES
+from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.table import CONTACTS, LEVER, PUSH, SPRING
 from ropewalk.lowering import build
 from ropewalk.record.result import Result

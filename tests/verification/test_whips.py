@@ -49,12 +49,13 @@ def test_no_step_makes_up_energy(method: str, segments: int) -> None:
         assert iterations < {50: 15.0, 100: 15.0, 300: 30.0}[segments]
 
 
-@pytest.mark.parametrize(("method", "most"), [("sdirk2", 14.5), ("esdirk3", 17.5)])
+@pytest.mark.parametrize(("method", "most"), [("sdirk2", 13.5), ("esdirk3", 16.5)])
 def test_windows_take_few_solves_in_the_whips_of_a_long_rope(method: str, most: float) -> None:
     """1000 segments, six starts a turn apart, from the second second on.
 
-    Measured 12.9 and 14.1 Newton steps a step, other six 12.2 to 12.8 and 13.5 to 15.9; 24 and 26 where all
-    nodes are solved for in each.
+    Asked for are 13 and 16 Newton steps a step on average. Whips are chaotic: starts 1e-9 rad apart, or other
+    last bits, take other numbers. Nine times six starts took 11.9 to 13.4 and 14.1 to 16.3, on average 12.5
+    and 15.1; the half more is for such a six. Where all nodes are solved for in each it is 24 and 26.
     """
     taken = []
     for start in range(6):

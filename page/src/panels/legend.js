@@ -7,6 +7,8 @@ import { colourOf } from "../view/copies.js";
 import { touching } from "../source/frame.js";
 import { h } from "./dom.js";
 import { placeOn } from "../view/cards.js";
+import { leftOut, strongestOf } from "../touches.js";
+import { WrapNote } from "./wraps.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/gather.js").Colouring} Colouring */
@@ -68,8 +70,11 @@ export class Legend {
       viewport.marks.contacts = on;
     });
     this.contacts.hidden = true;
-    this.contacts.title = "Forces on nodes of what they touch";
+    this.contacts.title =
+      "Forces of obstacles on ropes, and of ropes on each other: one on either rope";
     this.firmest = h("div", { className: "numbers", id: "contact-scale", hidden: true });
+    this.fewer = h("div", { className: "numbers", id: "contacts-left-out", hidden: true });
+    this.wraps = new WrapNote();
     this.posts = this.check("Posts", "show-posts", true, (on) => (viewport.marks.standing = on));
     this.posts.className = "posts";
     this.margin = h("div", { className: "numbers", id: "margin", hidden: true });
@@ -88,6 +93,8 @@ export class Legend {
         this.ropes,
         h("div", { className: "row" }, this.arrows, this.dots, this.posts),
         h("div", { className: "row" }, this.contacts, this.firmest),
+        this.fewer,
+        this.wraps.host,
         h("div", { className: "numbers drawn-as" }, this.grid, this.thick),
         this.given,
         this.crowd,
@@ -223,11 +230,24 @@ export class Legend {
     if (!this.crowd.hidden && crowd) write(this.crowd, crowdText(crowd));
   }
 
+  /** The scale of the arrows of contacts, which are left out, and wraps. */
+  tellContacts() {
+    const { session, marks } = this.viewport;
+    const { layout, frame } = session;
+    this.wraps.show(layout, frame);
+    const shown = !this.contacts.hidden && marks.contacts && marks.firmest > 1e-9;
+    this.firmest.hidden = !shown;
+    this.fewer.hidden = true;
+    if (!shown || !layout || !frame) return;
+    write(this.firmest, `longest ${quantity(Number(marks.firmest.toPrecision(2)), "N")}`);
+    const [part] = frame.parts;
+    const text = leftOut(strongestOf(layout, part), part.contact.length / 3);
+    this.fewer.hidden = !text;
+    write(this.fewer, text);
+  }
+
   showGrid() {
-    const { contacts, firmest } = this.viewport.marks;
-    this.firmest.hidden = this.contacts.hidden || !contacts || !(firmest > 1e-9);
-    if (!this.firmest.hidden)
-      write(this.firmest, `longest ${quantity(Number(firmest.toPrecision(2)), "N")}`);
+    this.tellContacts();
     this.tellCrowd();
     write(this.grid, `Grid ${quantity(this.viewport.spacing, "m")}`);
     const times = this.viewport.thickness();

@@ -9,7 +9,8 @@ export const BROKEN = 2;
 export const AT_END = 16;
 
 /** @typedef {{scalars: Float32Array, positions: Float32Array, tension: Uint16Array, speed: Uint16Array,
- *   seen: Seen, anchors: Float32Array, contact: Float32Array, grabs: Float32Array}} Part one variant */
+ *   seen: Seen, anchors: Float32Array, contact: Float32Array, ropeContacts: Float32Array, wraps: Float32Array,
+ *   frictionWork: Float32Array, grabs: Float32Array}} Part one variant */
 /** The greatest and least of every step since the frame before. @typedef {{leastTension: Uint16Array,
  *   greatestTension: Uint16Array, greatestSpeed: Uint16Array, leastHeight: Uint16Array,
  *   greatestHeight: Uint16Array, greatestForce: Float32Array}} Seen */
@@ -68,13 +69,30 @@ function readPart(buffer, layout, variant, i) {
       greatestForce: new Float32Array(buffer, offsets.greatest_force, anchors.length),
     },
     anchors: new Float32Array(buffer, offsets.anchors, 10 * anchors.length),
-    contact: new Float32Array(buffer, offsets.contact ?? 0, touching(offsets)),
+    contact: touchedIn(buffer, offsets, "contact"),
+    ropeContacts: touchedIn(buffer, offsets, "rope_contacts"),
+    wraps: touchedIn(buffer, offsets, "wraps"),
+    frictionWork: touchedIn(buffer, offsets, "friction_work"),
     grabs: new Float32Array(buffer, offsets.grabs, 8 * Math.floor((end - offsets.grabs) / 32)),
   };
 }
 
-/** How many numbers there are of what obstacles do to nodes. @param {Variant["offsets"]} offsets */
-export const touching = ({ contact, grabs }) => (contact === undefined ? 0 : (grabs - contact) / 4);
+/** What is told of contacts, in its order.
+ * @typedef {"contact" | "rope_contacts" | "wraps" | "friction_work"} Touched */
+const TOUCHED = /** @type {Touched[]} */ (["contact", "rope_contacts", "wraps", "friction_work"]);
+
+/** The numbers of a part that tells of contacts, none where there is nothing to touch. @param {ArrayBuffer} buffer
+ * @param {Variant["offsets"]} offsets @param {Touched} name */
+export function touchedIn(buffer, offsets, name) {
+  const from = offsets[name];
+  if (from === undefined) return new Float32Array(0);
+  const later = TOUCHED.slice(TOUCHED.indexOf(name) + 1).map((one) => offsets[one]);
+  const end = later.find((at) => at !== undefined) ?? offsets.grabs;
+  return new Float32Array(buffer, from, (end - from) / 4);
+}
+
+/** Whether there is anything that ropes touch. @param {Variant["offsets"]} offsets */
+export const touching = ({ contact, grabs }) => contact !== undefined && contact < grabs;
 
 /** One scalar of a variant, NaN if there is none. @param {Layout} layout @param {Part} part
  * @param {string} name */

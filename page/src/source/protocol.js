@@ -8,10 +8,12 @@
 /** @typedef {{rope: string, node: number, index: number, mass: number}} Load */
 /** @typedef {{scalars: number, positions: number, tension: number, speed: number, least_tension: number,
  *   greatest_tension: number, greatest_speed: number, least_height: number, greatest_height: number,
- *   greatest_force: number, anchors: number, contact?: number, grabs: number}} Offsets */
+ *   greatest_force: number, anchors: number, contact?: number, rope_contacts?: number, wraps?: number,
+ *   friction_work?: number, grabs: number}} Offsets */
 /** @typedef {{label: string, method: string, changes: Record<string, any>, nodes: number, ropes: Rope[],
  *   anchors: Anchor[], loads: Load[], forces: {index: number, force: number[]}[], joints?: Joint[],
- *   parted?: Parted[], gaps?: {index: number, time: number}[], offsets: Offsets}} Variant */
+ *   parted?: Parted[], gaps?: {index: number, time: number}[], surfaces?: string[],
+ *   offsets: Offsets}} Variant */
 /** @typedef {{rope: string, place: number, length: number, tension: number, time: number}} Parted */
 /** @typedef {{name: string, kind: string, center: number[], axis: number[], size: (number | null)[],
  *   friction: number, spin: [number, number, number | null] | null, turns?: number[][] | null,

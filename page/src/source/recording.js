@@ -1,6 +1,6 @@
 // The frames of a run inside the page, written as the protocol says.
 
-import { AT_END, BROKEN, MAGIC, touching } from "./frame.js";
+import { AT_END, BROKEN, MAGIC, touchedIn } from "./frame.js";
 import { Replay } from "./replay.js";
 import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 
@@ -11,6 +11,7 @@ import { fromBase64, inflate, rowOf, unpack } from "./unpack.js";
 /** @typedef {import("./unpack.js").Numbers} Numbers */
 /** @typedef {{layout: Layout, frames: number, good: number, method: string, dt: number,
  *   streams: Stream[]}} PackedPart */
+/** @typedef {import("./frame.js").Touched} Touched */
 /** @typedef {{ropewalk: string, title: string, duration: number, about: string, times: Stream,
  *   parts: PackedPart[], single: number}} Header */
 /** @typedef {{layout: Layout, first: number, frames: number, good: number,
@@ -30,6 +31,14 @@ export function findRecording() {
   const frames = new PackedFrames(run, data.textContent ?? "");
   return { replay: new Replay(helloOf(run), { ...run, playing: true }, frames), about: run.about };
 }
+
+/** What there is of contacts, and what stands where a run does not tell it. @type {[Touched, number][]} */
+const TOUCHED = [
+  ["contact", 0],
+  ["rope_contacts", -1],
+  ["wraps", -1],
+  ["friction_work", NaN],
+];
 
 /** @param {Header} run @returns {Hello} */
 function helloOf({ ropewalk, title }) {
@@ -171,11 +180,20 @@ export class PackedFrames {
       hands.set(force.subarray(3 * a, 3 * a + 3), 10 * a + 6);
       hands[10 * a + 9] = holdsYet(until, this.clock[index]) ? 1 : 0;
     });
-    if (numbers.contact && row < good)
-      rowOf(numbers.contact, row, floats(offsets.contact ?? 0, touching(offsets)));
+    writeTouch(numbers, row < good ? row : -1, buffer, offsets);
     const grabs = floats(offsets.grabs, Math.floor((layout.bytes - offsets.grabs) / 4));
     for (let i = 0; i < grabs.length; i += 8) grabs[i] = -1;
     return buffer;
+  }
+}
+
+/** What is touched, of a row of numbers; nothing is known past a break, where there is none (-1).
+ * @param {Record<string, Numbers>} numbers @param {number} row @param {ArrayBuffer} buffer
+ * @param {import("./protocol.js").Offsets} offsets */
+function writeTouch(numbers, row, buffer, offsets) {
+  for (const [name, unknown] of TOUCHED) {
+    const part = touchedIn(buffer, offsets, name).fill(unknown);
+    if (row >= 0 && numbers[name] && part.length) rowOf(numbers[name], row, part);
   }
 }
 

@@ -6,6 +6,7 @@
 const WAITS = [500, 1000, 2000]; // ms, the last one again and again
 const PATIENCE = 1000; // ms for a server that is there to answer
 const FULL = 4503;
+const ENDED = [1000, 1001, 1012]; // codes of a server that ends; the last where it had no time for a word
 
 /** @implements {Source} */
 export class SocketSource {
@@ -37,7 +38,11 @@ export class SocketSource {
       if (socket.readyState === WebSocket.CONNECTING)
         events.state("waiting", "Setting up the simulation; its first run takes a minute or two …");
     }, PATIENCE);
-    socket.onopen = () => events.state("open", "");
+    let there = false;
+    socket.onopen = () => {
+      there = true;
+      events.state("open", "");
+    };
     socket.onmessage = ({ data }) => {
       if (typeof data !== "string") {
         events.frame(data);
@@ -54,16 +59,16 @@ export class SocketSource {
     socket.onclose = ({ code, reason }) => {
       if (this.socket !== socket) return;
       const wait = this.ending ? WAITS[2] : WAITS[Math.min(this.tries++, WAITS.length - 1)];
-      if (code === 1000 || code === 1001) this.ending ||= "The server has ended.";
+      if (ENDED.includes(code)) this.ending ||= "The server has ended.";
       if (code === FULL) events.state("full", reason || "As many pages as allowed are open.");
       else if (this.ending)
         events.state("ended", this.ending); // also while it is looked for again
       else if (code === 4400 || code === 4429 || code === 1009) {
         events.state("lost", `The server closed the connection: ${reason || code}.`);
-      } else {
+      } else if (there) {
         const more = this.goesOn ? "; the run goes on there" : "";
         events.state("lost", `The connection to the server is lost${more}.`);
-      }
+      } else events.state("lost", "The server does not answer: it has ended, or is out of reach.");
       setTimeout(() => this.connect(), wait);
     };
   }

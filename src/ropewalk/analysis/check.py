@@ -12,10 +12,13 @@ from numpy.typing import NDArray
 from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending_notes import bending_warnings
 from ropewalk.analysis.cost import run_time, seconds_per_step, touches
+from ropewalk.analysis.facet_notes import facet_warnings
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.knot_notes import knot_warnings
+from ropewalk.analysis.near_starts import near_start_warnings
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
+from ropewalk.analysis.rebound_notes import rebound_warnings
 from ropewalk.analysis.rest_notes import (
     limiter_warnings,
     may_say_nothing,
@@ -34,7 +37,7 @@ from ropewalk.analysis.strains import (
 )
 from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.display import cells
-from ropewalk.engine.start import started
+from ropewalk.engine.start import started_with_rest
 from ropewalk.lowering import Model, build
 from ropewalk.record.rest import as_result
 from ropewalk.scene import Scene
@@ -106,6 +109,7 @@ class Check:
                 "slack_segments": int(statics.slack.sum()) if rests else None,
                 "spans": [vars(span) for span in statics.spans] if rests else [],
                 "wraps": [wrap.as_dict() for wrap in statics.wraps] if rests else [],
+                "touches": [touch.as_dict() for touch in statics.touches] if rests else [],
                 "pulleys": [body.as_dict() for body in statics.pulleys] if rests else [],
                 "unheld": statics.unheld,
                 "nodes_on_ground": int(statics.grounded.sum()) if rests else None,
@@ -137,6 +141,7 @@ class Check:
             text += [f"  at rest: {span.words}" for span in spans]
             wraps = [wrap for wrap in self.statics.wraps if wrap.rope == rope.name and rope.rests]
             text += [f"  at rest: {wrap.words}" for wrap in wraps]
+        text += [f"at rest: {touch}" for touch in self.statics.touches if self._rests]
         if self.statics.grounded.any() and self._rests:
             text.append(f"at rest {_count(self.statics.grounded, 'node')} on the ground")
         text.append(f"the run: {self.duration:.6g} s {self.run_time}; {self.pace}")
@@ -204,8 +209,8 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
 
     Raises SceneError when the scene cannot be planned.
     """
-    model = started(source if isinstance(source, Model) else build(source))
-    statics = static_shape(model, strict=False)
+    model, rest = started_with_rest(source if isinstance(source, Model) else build(source))
+    statics = rest or static_shape(model, strict=False)
     found = stability(model, statics)
     ropes = tuple(rope_check(model, statics, name.name) for name in model.layout.ropes)
     torn, overlong = tuple(torn_apart(model)), overlong_at_start(model)
@@ -257,7 +262,7 @@ def _warnings(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments "
                 f"{'starts' if rope.short == 1 else 'start'} shorter than their rest length"
             )
-        if rope.slack and not may_say_nothing(model):
+        if rope.slack and (statics.solved or not may_say_nothing(model)):
             warnings.append(
                 f"rope {rope.name!r}: {rope.slack} of {rope.segments} segments "
                 f"{'carries' if rope.slack == 1 else 'carry'} no tension at rest"
@@ -268,6 +273,8 @@ def _warnings(
     warnings += pressed_at_start(model, statics, ropes)
     warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
     warnings += bending_warnings(model) + obstacle_warnings(model, statics)
+    warnings += facet_warnings(model, statics) + near_start_warnings(model)
+    warnings += rebound_warnings(model, statics)
     warnings += slide_warnings(model) + knot_warnings(model.scene)
     return warnings + plan_notes(model) + unit_slips(model)
 

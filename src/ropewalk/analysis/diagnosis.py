@@ -30,6 +30,7 @@ from ropewalk.words.safe_side import longest_step
 
 Floats = NDArray[np.float64]
 
+NO_SIGN = "no zigzag"  # where nothing shows how it broke
 _CLEAR = -0.55  # a correlation below this is a zigzag; nodes that move at random have -0.5
 _SEEN = 1e-10  # changes of this part of a segment's length are more than rounding
 _RISING = 1.02  # growth of amplitude per step that counts as the break's own
@@ -302,7 +303,7 @@ def _sign(zigzag: float, flip: float, growth: float, predicted: bool) -> str:
         signs.append(f"{pattern} at every step")
     if signs and growth > 1.0:  # without a pattern it is of no energy
         signs.append(f"its energy grows {growth:.3g}-fold per step")
-    none = "it burst too fast to show how" if predicted else "no zigzag"
+    none = "it burst too fast to show how" if predicted else NO_SIGN
     return " and ".join(signs) or none
 
 
@@ -317,6 +318,8 @@ def _text(
     reason: str,
 ) -> str:
     sign = _sign(zigzag, flip, growth, not theory.stable)
+    if sign == NO_SIGN and reason and not reason.endswith(ACCOUNTED):
+        sign, reason = reason, ""
     head = f"Broke after t = {time:.6g} s at node {node} of rope {rope!r}: {sign}."
     if not theory.stable:
         if theory.bound > 0.0:

@@ -6,9 +6,9 @@ With a million nodes some take seconds; who asks for a verdict needs few of them
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,19 +25,13 @@ from ropewalk.methods.bound import (
     worst_mode,
 )
 from ropewalk.methods.registry import METHODS
+from ropewalk.methods.stability_function import NEED_DAMPING, STABILITY
 from ropewalk.scene import Scene, Springs
 from ropewalk.statics import Statics, static_shape
 
-NEED_DAMPING = ("euler", "heun")  # methods that have no stable step where nothing damps
 # A swinging rope carries up to about three times its weight at rest.
 _SWING = 3.0
 _SOFTEST = 60.0  # [1] logarithm of how much softer springs are looked at
-#: Stability functions R(z) of methods for which relaxation is a rate next to the frequencies.
-STABILITY: dict[str, Callable[[Any], Any]] = {
-    "euler": lambda z: 1.0 + z,
-    "heun": lambda z: 1.0 + z + z**2 / 2.0,
-    "rk4": lambda z: 1.0 + z + z**2 / 2.0 + z**3 / 6.0 + z**4 / 24.0,
-}
 _WEAK = 1e-100  # [N/m] or [N m]: far below all that is a spring
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.laws.hardening import depth_under
 from ropewalk.laws.obstacle import radius_of
-from ropewalk.laws.obstacle_rows import half_thickness
+from ropewalk.laws.obstacle_rows import half_thickness, place_of
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
 from ropewalk.lowering.obstacle_checks import (
@@ -21,7 +21,8 @@ from ropewalk.lowering.obstacle_checks import (
 )
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Rope
-from ropewalk.scene.obstacles import Cylinder, Obstacle, thinnest, what_is_thin
+from ropewalk.scene.motions import Table
+from ropewalk.scene.obstacles import Cylinder, HalfPipe, Obstacle, Plane, thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
 from ropewalk.words.safe_side import rounded_down
@@ -29,6 +30,8 @@ from ropewalk.words.safe_side import rounded_down
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
 _TWICE = 2.0  # of a radius: a longer segment on it has its nodes on two sides [1]
 _ALONG = math.sqrt(0.5)  # cosine of 45 degrees
+_ROUNDING = 1e-9  # of a place [1]
+_PLACES = {"point", "center", "position", "start"}  # fields that say where an obstacle is
 _TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
 
 
@@ -45,13 +48,13 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
     if not model.scene.obstacles:
         return []
     step = model.plan.dt if model.plan.longest is None else model.plan.longest
-    way = _speed(model, statics) * step
+    way = reckoned_speed(model, statics) * step
     # Implicit methods solve a step that would go through again in halves: they need no word.
     whole = not METHODS[model.plan.method].implicit
     found = []
     for row, body in enumerate(model.scene.obstacles):
         name, measure = f"obstacle {body.name!r}", what_is_thin(body)
-        found += _long_segments(model, body)
+        found += _begins_elsewhere(model, row) + _long_segments(model, body)
         radius = radius_with_rope(model.system, body)
         if whole and way > radius:
             found.append(
@@ -59,7 +62,7 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
                 f"({1e3 * radius:.4g} mm): a run in which one goes through ends there; take steps of at "
                 f"most {rounded_down(1e3 * step * radius / way)} ms"
             )
-        turn = turned_rate(model.system, row, body) * step
+        turn = turned_rate(model.system, row, body, model.scene.run.duration) * step
         if turn > _TURNS:
             found.append(
                 f"{name}: it turns by {math.degrees(turn):.3g} degrees in a step, and friction there points "
@@ -68,6 +71,32 @@ def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
             )
         found += _yielding(model, statics, row)
     return found
+
+
+def _begins_elsewhere(model: Model, row: int) -> list[str]:
+    """Return a sentence where the table of a motion begins beside where its obstacle is drawn.
+
+    Nothing of a place that nobody gave, nor of a plane or a half-pipe that is moved along itself.
+    """
+    body, table = model.scene.obstacles[row], model.system.node.obstacle
+    if not isinstance(body.motion, Table) or not body.model_fields_set & _PLACES:
+        return []
+    drawn, begins = np.array(place_of(body)[0], dtype=np.float64), table.center[row]
+    off = begins - drawn
+    if isinstance(body, Plane):
+        off = table.axis[row] * float(table.axis[row] @ off)
+    elif isinstance(body, HalfPipe):
+        along = np.subtract(body.end, body.start)
+        off = off - along * float(along @ off / (along @ along))
+    way = float(np.linalg.norm(off))
+    if way <= _ROUNDING * float(np.abs([drawn, begins]).max()):
+        return []
+    places = (", ".join(f"{one:.4g}" for one in place) for place in (drawn, begins))
+    return [
+        f"obstacle {body.name!r}: it is drawn at ({next(places)}) m and its table of motion begins at "
+        f"({next(places)}) m, {1e3 * way:.4g} mm off: it is there from the start, for `positions` are the "
+        "places, no ways"
+    ]
 
 
 def _long_segments(model: Model, body: Obstacle) -> list[str]:
@@ -124,17 +153,17 @@ def _yielding(model: Model, statics: Statics, row: int) -> list[str]:
     ]
 
 
-def _speed(model: Model, statics: Statics) -> float:
+def reckoned_speed(model: Model, statics: Statics) -> float:
     """Return the largest speed to reckon with against obstacles [m/s].
 
     What starts at rest and is let alone moves as fast as what moves it; a run tells where it was faster.
     """
-    system, state = model.system, model.state
+    system, state, until = model.system, model.state, model.scene.run.duration
     at_rest = model.scene.run.start == "at-rest" and model.scene.run.ring is None and statics.solved
     moves = state.v[:, state.inverse_mass > 0.0].any() or len(model.scene.winches) > 0
     let_go = moves or np.isfinite(system.anchors.release).any()
     alone = at_rest and not let_go
-    return driven_speed(system) if alone else fastest(system, state)
+    return driven_speed(system, until) if alone else fastest(system, state, until)
 
 
 def _presses(model: Model, statics: Statics, row: int) -> dict[str, Any]:

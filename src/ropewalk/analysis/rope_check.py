@@ -141,8 +141,10 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     rests = statics.solved or not may_say_nothing(model)
     load = breaking_load(rope) if rests else None
     size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
-    left = statics.residual if statics.solved else 0.0  # else it is no rounding
-    taut, largest = tension > 0.0, pull_told(float(tension.max(initial=0.0)), left)
+    over = float(statics.left[span.start])
+    left = over if statics.solved else 0.0  # else it is no rounding
+    taut = (tension > 0.0) & ~statics.slack[segments]
+    largest = pull_told(float(tension.max(initial=0.0)), left)
     about, tightest = (model.scene, model.layout), span.start + int(np.argmax(tension))
     pull = float(statics.tension[tightest])
     ends = borne_at(about, tightest, pull, statics.reactions, statics.positions)
@@ -173,8 +175,10 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         parts=rope.strength < math.inf,
         doubt="" if use is None else doubt_of(rope.made_of, use),
         worst=None if use is None else worst_of(rope.made_of, use),
-        largest_push=largest_push(tension, statics.residual),
-        largest_anchor_force=ends.force if ends.by_weight else None,
+        largest_push=largest_push(tension, over),
+        largest_anchor_force=ends.force
+        if ends.by_weight and pull_told(ends.force, left) > 0.0
+        else None,
         anchor_bears=bears,
         parts_at_rest=rope.strength < math.inf and load is not None and largest > load,
     )

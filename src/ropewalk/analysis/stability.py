@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.linear_theory import (
-    NEED_DAMPING,
     LargestSteps,
     RigidTheory,
     Theory,
@@ -28,6 +27,7 @@ from ropewalk.methods.bound import (
     largest_step,
 )
 from ropewalk.methods.registry import METHODS
+from ropewalk.methods.stability_function import NEED_DAMPING, STABILITY
 from ropewalk.scene import Scene
 from ropewalk.statics import Statics
 from ropewalk.words.percents import percent
@@ -228,7 +228,8 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
     if has_links(model.state):
         return _rigid(model)
     plan, method = model.plan, model.plan.method
-    cases = step_cases(model.system, model.state, plan.duration)
+    until = model.scene.run.duration
+    cases = step_cases(model.system, model.state, plan.duration, until)
     steps = LargestSteps(model, cases)
     own = steps.by_case(method)
     theory = Theory(model, cases, steps, statics)
@@ -242,7 +243,7 @@ def stability(source: Scene | Model, statics: Statics | None = None) -> Stabilit
         notes=_notes(model, theory, steps),
         theory=theory,
         tolerance=plan.tolerance,
-        uncovered=uncovered(model.system, model.state, method, plan.duration),
+        uncovered=uncovered(model.system, model.state, method, plan.duration, until),
     )
 
 
@@ -277,7 +278,8 @@ def _notes(model: Model, theory: Theory, largest: LargestSteps) -> tuple[str, ..
             "shorter step"
         )
     if method in NEED_DAMPING and largest[method] == 0.0:
-        rate = "y^2/2" if method == "euler" else "y^4/8"
+        factor, power = STABILITY[method].undamped_gain
+        rate = f"y^{power}/{1.0 / factor:g}"
         why = why_none(theory.all_chains)
         notes.append(
             f"{method} has no stable step: {why}; it grows by {rate} per step, "

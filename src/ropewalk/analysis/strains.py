@@ -18,6 +18,7 @@ from ropewalk.statics import Statics
 from ropewalk.statics.refusal import has_one_shape
 from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
+from ropewalk.words.safe_side import percent_up, times_up
 
 if TYPE_CHECKING:
     from ropewalk.analysis.rope_check import RopeCheck
@@ -160,7 +161,7 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
         if rope.short or not most > max(rope.largest_tension, least):
             continue
         remedy = "more segments make it less"
-        if has_one_shape(model, statics.positions, statics.tension):
+        if has_one_shape(model, statics.positions, statics.tension, statics.left):
             remedy = 'take run.start = "at-rest"'
         found.append(
             f"rope {rope.name!r}: its shape starts it pressed, by up to {prefixed(most, 'N')}, where it "
@@ -185,7 +186,7 @@ def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
         )
         then = f"it {'parts' if as_given else 'may part'} {then}"
         doubt = f"; {rope.doubt}" if rope.doubt else ""
-        share = f"{percent(100.0 * rope.utilisation, 4)} of the breaking load"
+        share = f"{percent_up(100.0 * rope.utilisation, 4)} of the breaking load"
         found.append(f"rope {rope.name!r}: carries {share} at rest; {then}{doubt}")
     return found
 
@@ -193,8 +194,9 @@ def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
 def breaking_warnings(ropes: tuple[RopeCheck, ...]) -> list[str]:
     """Return warnings of ropes that carry more than their breaking load at rest, or may, and cannot part."""
     return [
-        f"rope {rope.name!r}: at rest it carries {rope.utilisation:.3g} times its breaking load; "
+        f"rope {rope.name!r}: at rest it carries {times_up(rope.utilisation)} times its breaking load; "
         f"in the run it does not part{f'; {rope.doubt}' if rope.doubt else ''}"
         for rope in ropes
-        if rope.worst is not None and rope.worst > 1.0 and not rope.parts
+        if rope.utilisation is not None and rope.worst is not None
+        if rope.worst > 1.0 and not rope.parts
     ]

@@ -7,7 +7,7 @@ the arrays of its tuple are where they were: whoever keeps it keeps the tuple, t
 
 from __future__ import annotations
 
-import zlib
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -17,8 +17,8 @@ from numba.extending import intrinsic
 
 from ropewalk.core.arrays import Ints
 from ropewalk.core.elements import View
-from ropewalk.core.jit import kernel
-from ropewalk.core.pointed import Pointed, words_of
+from ropewalk.core.jit import PLAIN, kernel
+from ropewalk.core.pointed import Pointed, block_class, mark_of, words_of
 
 _WORD = ir.IntType(64)
 
@@ -35,7 +35,7 @@ def _count(_context: Any, value: Any) -> Any:
 
 @intrinsic
 def _name(_context: Any, value: Any) -> Any:
-    mark = zlib.crc32(value.name.encode())
+    mark = mark_of(value)
 
     def emit(_cx: Any, _builder: Any, _sig: Any, _args: Any) -> Any:
         return _WORD(mark)
@@ -93,7 +93,21 @@ class Kept:
             self.words = np.zeros(needed, np.int64)
             _kept(value, self.words)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let a copy have addresses of its own."""
+        return type(self), (self.value,)
+
+    @cached_property
+    def block(self) -> Any:
+        """What kernels take from Python in place of the tuple."""
+        return block_class(self.mark)(self.words)
+
     @property
     def address(self) -> int:
         """Return where the block begins."""
         return int(self.words.ctypes.data)
+
+
+def handed(*values: Any) -> tuple[Any, ...]:
+    """Return what to hand to kernels in place of tuples, as long as their arrays are where they are."""
+    return values if PLAIN else tuple(Kept(value).block for value in values)

@@ -163,7 +163,9 @@ class State(NamedTuple):
         Floats  # (s,) [N] of an explicit method's limiter, mean over the last step; (0,) without
     )
     drift: Floats  # (3, n) what the last step moved the nodes by [m], for multistep methods
-    past: Floats  # (3,) last step [s], 0: none; anchors held and sum of winch exits in it
+    # (6,) last step [s], 0: none; anchors held and sum of winch exits in it; the parts that the next step
+    # begins with, see `methods.part_lengths`
+    past: Floats
     rest_length: Floats  # (s,) [m]
     stiffness: Floats  # (s,) [N/m]
     damping_vector: Floats  # (s,) [N s/m]

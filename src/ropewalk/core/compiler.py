@@ -17,15 +17,23 @@ from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.dispatcher import _FunctionCompiler  # type: ignore[attr-defined]
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import NativeLowering, NopythonTypeInference, PreLowerStripPhis
-from numba.core.untyped_passes import MakeFunctionToJitFunction, ReconstructSSA
+from numba.core.untyped_passes import (
+    GenericRewrites,
+    MakeFunctionToJitFunction,
+    ReconstructSSA,
+    TranslateByteCode,
+)
 
 from ropewalk.core.deferred import calls_of, raise_late
+from ropewalk.core.frontend import ReadByteCode, Rewrite, tell_nobody
 from ropewalk.core.inlining import InlineParts
 from ropewalk.core.libraries import EntryLibrary, InnerLibrary
 from ropewalk.core.litter import kept_for_later
 from ropewalk.core.passes import AssignOnce, InferTypes, Options, Passes, StripPhis
-from ropewalk.core.pointed import pointed
+from ropewalk.core.pointed import Block, pointed
 from ropewalk.core.values import LowerValues
+
+tell_nobody()
 
 
 @register_pass(mutates_CFG=False, analysis_only=False)
@@ -74,6 +82,8 @@ class _ForwardCopies(FunctionPass):
 
 
 _OURS = {
+    TranslateByteCode: ReadByteCode,
+    GenericRewrites: Rewrite,
     MakeFunctionToJitFunction: InlineParts,
     ReconstructSSA: AssignOnce,
     NopythonTypeInference: InferTypes,
@@ -223,6 +233,8 @@ class Entry(CPUDispatcher):
 
     def typeof_pyval(self, val: Any) -> Any:
         """Return the type of an argument; named tuples go by their address."""
+        if isinstance(val, Block):
+            return type(val).kind  # type: ignore[attr-defined]
         found = pointed(super().typeof_pyval(val))
         self._types_active_call.add(found)
         return found

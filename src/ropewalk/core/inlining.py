@@ -20,6 +20,7 @@ from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.inline_closurecall import _get_callee_args, _replace_args_with, _replace_returns
 from numba.core.ir_utils import build_definitions, simplify_CFG
 
+from ropewalk.core.frontend import ReadByteCode, Rewrite
 from ropewalk.core.passes import Passes
 
 _READ: dict[FunctionType, Any] = {}  # parts, as numba reads them
@@ -140,10 +141,10 @@ def _read(function: FunctionType, state: Any) -> Any:
         own.args = len(own.func_id.pysig.parameters) * (types.pyobject,)
         manager = Passes("part")
         for step in (
-            untyped_passes.TranslateByteCode,
+            ReadByteCode,
             untyped_passes.FixupArgs,
             untyped_passes.RewriteSemanticConstants,
-            untyped_passes.GenericRewrites,
+            Rewrite,
         ):
             manager.add_pass(step, step.__name__)
         manager.finalize()

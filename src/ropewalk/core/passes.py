@@ -22,7 +22,8 @@ from numba.core.compiler_machinery import (
     register_pass,
 )
 from numba.core.transforms import canonicalize_cfg
-from numba.core.untyped_passes import TranslateByteCode
+
+from ropewalk.core.frontend import ReadByteCode, variables_of
 
 
 class Passes(PassManager):
@@ -40,7 +41,7 @@ class Passes(PassManager):
                 raise self._patch_error(
                     f"Failed in {self.pipeline_name} (step: {about})", error
                 ) from error
-            if step is TranslateByteCode:
+            if step is ReadByteCode:
                 ir_utils.enforce_no_dels(state.func_ir)
             if known.mutates_CFG:
                 state.func_ir.blocks = canonicalize_cfg(state.func_ir.blocks)
@@ -52,7 +53,7 @@ def rewrite_once(blocks: dict[int, Any]) -> None:
     fronts, variables = ssa._iterated_domfronts(cfg), ssa._CacheListVars()
     having: dict[str, list[int]] = defaultdict(list)
     for label, block in blocks.items():
-        for name in {one.name for statement in block.body for one in statement.list_vars()}:
+        for name in {one.name for statement in block.body for one in variables_of(statement)}:
             having[name].append(label)
     for name in ssa._find_defs_violators(blocks, cfg):
         mine, given = ssa._fresh_vars({label: blocks[label] for label in having[name]}, name)

@@ -9,9 +9,10 @@ loop that goes by a table of the members: written out for each of them, it was m
 from __future__ import annotations
 
 import hashlib
+import zlib
 from functools import cache
 from itertools import accumulate
-from typing import Any
+from typing import Any, NamedTuple
 
 from llvmlite import ir as llvm
 from numba.core import cgutils, types
@@ -27,11 +28,35 @@ _DATA, _SHAPE = 4, 5  # words before them in numba's array
 
 
 _KNOWN: dict[str, Any] = {}
+_MARKED: dict[int, Any] = {}
 
 
 def known(name: str) -> Any:
     """Return the type of this name that Python has called a kernel with."""
     return _KNOWN[name]
+
+
+class Block(NamedTuple):
+    """A tuple's block that is kept, which kernels take from Python in its place: no type is looked at.
+
+    Of a class of its own for each type of tuples, as numba knows named tuples again by their classes.
+    """
+
+    words: Any  # (m,)
+
+
+@cache
+def block_class(mark: int) -> Any:
+    """Return the class of blocks of the type with this mark that Python has called a kernel with."""
+    kind = _MARKED[mark]
+    if len(kind.types) == 1:
+        raise NotImplementedError("a block of a tuple of one: it could be taken for that")
+    return type(f"Block_{mark}", (Block,), {"__slots__": (), "kind": kind})
+
+
+def mark_of(kind: Any) -> int:
+    """Return a number for the type of a tuple, the same in every process."""
+    return zlib.crc32(kind.name.encode())
 
 
 class Pointed(types.NamedTuple):
@@ -59,7 +84,9 @@ def pointed(kind: Any) -> Any:
         if not named:
             return types.BaseTuple.from_types(items)
         found = Pointed(items, each.instance_class)
-        return _KNOWN.setdefault(found.name, found)
+        found = _KNOWN.setdefault(found.name, found)
+        _MARKED[mark_of(found)] = found
+        return found
     return kind
 
 
@@ -258,11 +285,26 @@ def _filler(c: Any) -> Any:
 
 @unbox(Pointed)
 def _unbox(kind: Pointed, obj: Any, c: Any) -> Any:
-    """Write a block for one call: what calls the kernel keeps the arrays."""
-    builder = c.builder
+    """Take the block that is kept, or write one for this call: what calls the kernel keeps the arrays."""
+    builder, pyapi = c.builder, c.pyapi
     with builder.goto_entry_block():
-        address = builder.alloca(_WORD, words_of(kind))
-    numbers = llvm.Constant(llvm.ArrayType(_HALF, len(table := _table(kind))), table)
-    table = cgutils.global_constant(builder.module, f"{kind.name}.members", numbers)
-    args = obj, builder.bitcast(table, _HALF.as_pointer()), address
-    return NativeValue(address, is_error=builder.call(_filler(c), args))
+        room = builder.alloca(_WORD, words_of(kind))
+        array = builder.alloca(_WORD, _SHAPE + 2)
+        found = builder.alloca(room.type)
+        bad = builder.alloca(cgutils.false_bit.type)
+    size = pyapi.tuple_size(obj)
+    is_block = builder.icmp_signed("==", size, size.type(1 if len(kind.types) > 1 else -1))
+    with builder.if_else(is_block) as (kept, other):
+        with kept:
+            words = pyapi.tuple_getitem(obj, 0)
+            failed = pyapi.numba_array_adaptor(words, builder.bitcast(array, pyapi.voidptr))
+            builder.store(cgutils.is_not_null(builder, failed), bad)
+            place = builder.load(builder.gep(array, [_HALF(_DATA)]))
+            builder.store(builder.inttoptr(place, room.type), found)
+        with other:
+            numbers = llvm.Constant(llvm.ArrayType(_HALF, len(table := _table(kind))), table)
+            table = cgutils.global_constant(builder.module, f"{kind.name}.members", numbers)
+            args = obj, builder.bitcast(table, _HALF.as_pointer()), room
+            builder.store(builder.call(_filler(c), args), bad)
+            builder.store(room, found)
+    return NativeValue(builder.load(found), is_error=builder.load(bad))

@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.core.band import Band, dense, make_band
+from ropewalk.core.band import Band, make_band
 from ropewalk.core.network import Network, no_network
 
 
@@ -52,34 +52,3 @@ def make_saddle(nodes: int, second: bool = False, marks: int = 0) -> Saddle:
     shapes = (n, n, s, s, (3, s), s, s, (3, n), s, (3, s), (3, n), s, (n, 16), (n * second, 12))
     arrays = [np.zeros(shape) for shape in shapes]
     return Saddle._make((make_band(n, second, marks), *arrays, no_network()))
-
-
-def dense_saddle(saddle: Saddle) -> tuple[Floats, Floats]:
-    """Return matrix and right side in full, unknowns all z node by node, then all T'; for tests."""
-    n = len(saddle.free)
-    size = 3 * n
-    matrix, right = np.zeros((size + n - 1, size + n - 1)), np.zeros(size + n - 1)
-    matrix[:size, :size] = dense(saddle.band) + np.diag(np.repeat(saddle.inertia, 3))
-    right[:size], right[size:] = saddle.force.T.ravel(), -saddle.misfit
-    for j in range(n - 1):
-        t, row = saddle.direction[:, j], size + j
-        low, high = slice(3 * j, 3 * j + 3), slice(3 * j + 3, 3 * j + 6)
-        line = np.outer(t, t)
-        block = saddle.across[j] * (np.eye(3) - line) + saddle.along[j] * line
-        block += np.outer(t, saddle.lean[:, j])
-        for p, q, sign in (
-            (low, low, 1.0),
-            (high, high, 1.0),
-            (low, high, -1.0),
-            (high, low, -1.0),
-        ):
-            matrix[p, q] += sign * block
-        matrix[low, row], matrix[high, row] = -t, t
-        matrix[row, low] = -saddle.carries[j] * t
-        matrix[row, high] = saddle.carries[j] * t
-        matrix[row, row] = -saddle.compliance[j]
-    for i in np.flatnonzero(saddle.free == 0.0):
-        rows = slice(3 * i, 3 * i + 3)
-        matrix[rows], right[rows] = 0.0, 0.0
-        matrix[rows, rows] = np.eye(3)
-    return matrix, right

@@ -10,13 +10,14 @@ from __future__ import annotations
 from typing import Any
 
 from llvmlite.ir import IRBuilder, instructions
-from numba.core import ir
-from numba.core.analysis import compute_cfg_from_blocks, compute_use_defs, must_use_alloca
+from numba.core import cgutils, ir
+from numba.core.analysis import compute_cfg_from_blocks, must_use_alloca
 from numba.core.compiler_machinery import register_pass
 from numba.core.lowering import Lower
 from numba.core.typed_passes import NativeLowering
 
 from ropewalk.core.elements import View, is_plain, make_array
+from ropewalk.core.frontend import variables_in, variables_of
 
 
 class _Builder(IRBuilder):  # type: ignore[misc]
@@ -60,8 +61,8 @@ class _Lower(Lower):
             for statement in block.find_insts(ir.Assign):
                 given.setdefault(statement.target.name, []).append(label)
         used: dict[str, set[int]] = {}
-        for label, names in compute_use_defs(blocks).usemap.items():  # but where it is given
-            for name in names:
+        for label, block in blocks.items():
+            for name in _used(block):
                 used.setdefault(name, set()).add(label)
         dominators = compute_cfg_from_blocks(blocks).dominators()
         in_memory = must_use_alloca(blocks)
@@ -74,6 +75,14 @@ class _Lower(Lower):
                 labels[0] in dominators[label] and labels[0] < label for label in used.get(name, ())
             )
         }
+
+    def alloca_lltype(self, name: str, lltype: Any, datamodel: Any = None) -> Any:
+        """Return a place in memory; numba asks for its size besides, for a debugger."""
+        return cgutils.alloca_once(self.builder, lltype, name=name, zfill=False)
+
+    def storevar(self, value: Any, name: str, argidx: Any = None) -> None:
+        """Store a variable, and tell a debugger of no argument."""
+        super().storevar(value, name)
 
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
         """Put two values together; numba is asked how, once in a function for each operator and types."""
@@ -126,6 +135,20 @@ class _Lower(Lower):
         """Lower a function, and leave out what takes tuples apart or puts them together for nothing."""
         super().lower_normal_function(fndesc)
         _drop_unused(self.function)
+
+
+def _used(block: Any) -> set[str]:
+    """Return the variables that a block uses, but those that it gave a value before."""
+    used: set[str] = set()
+    given: set[str] = set()
+    for statement in block.body:
+        if isinstance(statement, ir.Assign):
+            taken = {one.name for one in variables_in([statement.value])}
+            used |= taken - given
+            given.add(statement.target.name)
+        else:
+            used |= {one.name for one in variables_of(statement)} - given
+    return used
 
 
 def _drop_unused(function: Any) -> None:

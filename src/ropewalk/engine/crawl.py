@@ -3,9 +3,31 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from ropewalk.laws.registry import NODE_LAWS
+
+if TYPE_CHECKING:
+    from ropewalk.scene import Scene
 
 MANY = 5000  # tries of a step that are looked at together
 SHORT = 2e-5  # [s] a try that comes this far on average crawls
+
+
+def ends_of(scene: Scene, *, slack: bool) -> list[str]:
+    """Return what may end steps, or make them short, in a scene whose segments may go `slack` or not."""
+    may = {
+        "segments go slack and taut": slack,
+        "segments reach the limiter's bounds": scene.limiter is not None,
+        **{
+            f"nodes reach and leave the {law.section}": bool(getattr(scene, law.section))
+            for law in NODE_LAWS
+            if law.crossings is not None
+        },
+        "ropes strike each other": scene.contact is not None,
+    }
+    return [what for what, there in may.items() if there]
 
 
 class CrawlWarning(UserWarning):
@@ -15,9 +37,9 @@ class CrawlWarning(UserWarning):
 class Crawl:
     """How far the tries of steps come, at the tolerance of a run."""
 
-    def __init__(self, tolerance: float | None, slack: bool) -> None:
-        """Watch steps to a `tolerance` [m]; `slack` says whether segments may go slack and taut."""
-        self._tolerance, self._slack = tolerance, slack
+    def __init__(self, tolerance: float | None, ends: Sequence[str] = ()) -> None:
+        """Watch steps to a `tolerance` [m] that end, or are short, where this may happen; see `ends_of`."""
+        self._tolerance, self._ends = tolerance, tuple(ends)
         self._tries, self._since, self.told = 0, 0.0, False
 
     def note(self, tries: int, time: float) -> None:
@@ -35,7 +57,9 @@ class Crawl:
 
     def _text(self, time: float, mean: float) -> str:
         many = f"{1.0 / mean:.2g} of them" if mean > 0.0 else "for ever"
-        why = " Steps end where segments go slack and taut." if self._slack else ""
+        *more, last = self._ends or ("",)
+        where = (", ".join(f"where {one}" for one in more) + ", and ") if more else ""
+        why = f" Steps end {where}where {last}." if last else ""
         return (
             f"adaptive crawls at t = {time:.4g} s: steps of {1e6 * mean:.3g} us on average, so that a second "
             f"takes {many}.{why} Take a larger tolerance than {self._tolerance:g} m, give the rope the "

@@ -8,12 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core import arrays
+from ropewalk.core.addresses import handed
 from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, Ints, State, System, pooled
 from ropewalk.core.elimination import tied_network
 from ropewalk.core.network import Network
 from ropewalk.core.status import BROKEN, HONEST, LAST, UNSOLVED, ZERO
 from ropewalk.engine import broken, unsolved
-from ropewalk.engine.crawl import Crawl
+from ropewalk.engine.crawl import Crawl, ends_of
+from ropewalk.engine.met_before import is_as
 from ropewalk.engine.slices import Slices
 from ropewalk.engine.start import set_first_reactions
 from ropewalk.laws.ledger import gravity_energy
@@ -126,8 +128,30 @@ def controlled(system: System, controls: Controls) -> System:
     )
 
 
+class Handed:
+    """What an engine hands to its method's kernel."""
+
+    def __init__(self, system: System, state: State, tableau: Any) -> None:
+        self._common, self._kept, self._for = (system, state, tableau), tuple[Any, ...](), None
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Let a copy have addresses of its own."""
+        return type(self), self._common
+
+    def of(self, scratch: Any) -> tuple[Any, ...]:
+        """Return system, state, the working arrays that the engine has now, and coefficients."""
+        if self._for is not scratch:
+            system, state, tableau = self._common
+            self._kept, self._for = handed(system, state, scratch), scratch
+            named = hasattr(tableau, "_fields")
+            self._kept += handed(tableau) if named else (tableau,)
+        return self._kept
+
+
 class Engine:
     """A model in motion by its plan's method. The clock is the caller's."""
+
+    by_frames = False  # whether a call is of one frame at most
 
     def __init__(
         self,
@@ -156,12 +180,15 @@ class Engine:
             self.walk = self._scratch.walk
         self._tied: Ints | None = None
         self._tie()
-        self.crawl = Crawl(plan.tolerance, self.system.flags[TENSION_ONLY] == 1)
+        slack = bool(self.system.flags[TENSION_ONLY])
+        self.crawl = Crawl(plan.tolerance, ends_of(model.scene, slack=slack))
         self.inner = np.zeros(0)  # nothing but the state, the controls and the walk
+        self._handed = Handed(self.system, self.state, self._tableau)
 
     def _tie(self) -> None:
         """Find out anew what is coupled, where joints were cut or tied since."""
-        known = self._tied is not None and np.array_equal(self._tied, self.state.tied)
+        tied = self._tied
+        known = tied is not None and not (tied.size and (tied != self.state.tied).any())
         if known or not self._method.implicit:
             return
         self._tied = self.state.tied.copy()
@@ -198,9 +225,9 @@ class Engine:
         balance[ZERO] = balance[LAST] = energy_now(self.system, state)
         height = gravity_energy(state.x, state.mass, self.system.gravity)
         height -= float((state.forces.applied * state.x).sum())
-        balance[HONEST] = balance[ZERO] - height + self._energy_scale()
+        balance[HONEST] = balance[ZERO] - height + self.energy_scale()
 
-    def _energy_scale(self) -> float:
+    def energy_scale(self) -> float:
         """Weight and constant forces times length of all ropes [J], and a little elastic energy without.
 
         The length is that of all in a row, hung up by an end: springs of no length have only its stretch.
@@ -252,11 +279,12 @@ class Engine:
         a call is short.
         """
         self._tie()
-        common = (self.system, self.state, self._scratch, self._extras, now, frames)
+        system, state, scratch, tableau = self._handed.of(self._scratch)
+        common = system, state, scratch, self._extras, now, frames, self.ledger
         fixed = self._method.fixed
         if not fixed:
             self._scratch.strides[0] = most
-        status, good = self._method.advance(*common, self.ledger, out, stop, self._tableau)
+        status, good = self._method.advance(*common, out, stop, tableau)
         taken = int(now[3]) * good if fixed else most - int(self._scratch.strides[0])
         if not fixed:
             self.crawl.note(taken, float(self.walk.control[END]))
@@ -294,8 +322,18 @@ class Engine:
         return Slices(ropes * self.model.layout.nodes, self._method.cost, self._method.fixed)
 
     def restore(self, inner: Floats, walk: Walk) -> None:
-        """Go back to a walk; the state is the caller's."""
-        arrays.assign(self.walk, walk)
+        """Go back to a walk; the state is the caller's.
+
+        Raises ValueError, with nothing changed, for that of a method of another kind.
+        """
+        if is_as(self.walk, walk):
+            arrays.assign(self.walk, walk)
+        else:
+            self.begin_anew(None)
+
+    def note_bodies(self) -> bool:
+        """One engine evaluates anew whatever hands have changed: nothing to note."""
+        return True
 
     def begin_anew(self, row: int | None) -> None:
         """Let the adaptive method walk on from the state that is shown, as anchor `row` was taken in hand.

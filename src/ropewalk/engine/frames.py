@@ -22,9 +22,10 @@ from ropewalk.methods.recording import (
     work_names,
 )
 from ropewalk.methods.scratch import make_look
+from ropewalk.methods.surface_books import surface_shapes
 
 # Of all ropes together, besides energies and works.
-ADDED = ("jump", "momentum", "angular_momentum", "books", "error_range")
+ADDED = ("jump", "momentum", "angular_momentum", "error_range")
 OF_ANCHORS = ("reaction", "moment", "reaction_high", "moment_high")
 #: What of an island that has ended is not known any more, once it has broken.
 GONE = (
@@ -43,6 +44,7 @@ GONE = (
 )
 
 _LENGTHS = Recording._fields.index("rest_length")
+_BOOKS = Recording._fields.index("books")
 Shapes = tuple[tuple[int, ...], ...]
 Columns = tuple[str, ...]
 
@@ -55,8 +57,10 @@ class Group(NamedTuple):
     shapes: Shapes  # of a frame
     anchors: Ints  # (k a,) rows in the whole
     points: Ints  # (k p,) rows in the whole
+    wheels: Ints  # (k w,) rows in the whole
     energies: list[int]  # columns in the whole
     works: list[int]
+    books: list[int]  # rows in the whole
 
 
 class Frames:
@@ -67,13 +71,15 @@ class Frames:
         self.nothing = [make_recording(state, 0, False) for state in states]
         self._shares, self._whole = shares, whole
         names = _columns(whole)
-        kinds: dict[tuple[Shapes, Columns, Columns], list[int]] = {}
+        kinds: dict[tuple[Shapes, Columns, Columns, bytes], list[int]] = {}
         for k, state in enumerate(states):
             own = [part.shape[1:] for part in self.nothing[k]]
             own[_LENGTHS] = state.rest_length.shape
-            kinds.setdefault((tuple(own), *_columns(state)), []).append(k)
+            kind = (tuple(own), *_columns(state), shares[k].bodies.tobytes())
+            kinds.setdefault(kind, []).append(k)
         self._groups = []
-        for (shapes, energies, works), numbers in kinds.items():
+        last = surface_shapes(whole)[0][0] - 1  # that of ropes on ropes, where they touch
+        for (shapes, energies, works, _), numbers in kinds.items():
             group = [shares[k] for k in numbers]
             self._groups.append(
                 Group(
@@ -82,8 +88,10 @@ class Frames:
                     shapes,
                     np.concatenate([share.anchors for share in group]),
                     np.concatenate([share.points for share in group]),
+                    np.concatenate([share.wheels for share in group]),
                     [names[0].index(name) for name in energies],
                     [names[1].index(name) for name in works],
+                    [*group[0].bodies.tolist(), last][: shapes[_BOOKS][0]],
                 )
             )
         self._order = np.concatenate([group.numbers for group in self._groups])
@@ -156,6 +164,8 @@ class Frames:
                 if own.shape[2]:
                     getattr(out, name)[:frames, group.anchors] = _beside(own)
             out.joint_force[:frames, group.points] = _beside(found.joint_force)
+            if group.wheels.size:
+                out.wheel[:frames, group.wheels] = _beside(found.wheel)
             own = found.work[..., len(group.works) :]
             out.work[:frames, self._laws + group.anchors] = _beside(own)
         self._add(out, frames, made)
@@ -170,15 +180,16 @@ class Frames:
         """Add up what is of all ropes together, in their order."""
         columns = {"energy": [group.energies for group in self._groups]}
         columns["work"] = [group.works for group in self._groups]
-        for name in ("energy", "work", *ADDED):
+        columns["books"] = [group.books for group in self._groups]
+        for name in ("energy", "work", "books", *ADDED):
             whole = getattr(out, name)[:frames]
             whole = whole[:, : self._laws] if name == "work" else whole
             each = np.zeros((len(self._shares), *whole.shape))
             for k, (group, found) in enumerate(zip(self._groups, made, strict=True)):
                 own = getattr(found, name)
                 if name in columns:
-                    here = np.array(columns[name][k])
-                    each[np.ix_(group.numbers, np.arange(frames), here)] = own[..., : len(here)]
+                    here = np.array(columns[name][k], np.int64)
+                    each[np.ix_(group.numbers, np.arange(frames), here)] = own[:, :, : len(here)]
                 else:
                     each[group.numbers] = own
             whole[...] = np.add.accumulate(each, axis=0, out=each)[-1] + 0.0  # no other order
@@ -212,6 +223,9 @@ def _collect_lines(out: Recording, frames: int, shares: Sequence[Share], found: 
         for name in names:
             own, whole = getattr(found, name), getattr(out, name)
             if not own.shape[2] or not own.shape[-1]:
+                if whole.shape[-1] and own.shape[2]:  # these have nothing that they could touch
+                    for share in shares:
+                        whole[:frames, ..., share.nodes] = 0.0
                 continue
             if in_rows and min(steps, default=1) > 0:
                 whole = whole[:frames, ..., firsts[0] :]

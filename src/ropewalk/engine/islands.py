@@ -13,7 +13,7 @@ with winches. An island that broke can be ended: it stays as it is, and the othe
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
@@ -25,10 +25,9 @@ import numpy as np
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, flatten, pooled
 from ropewalk.core.deferred import clock, each, wait_too
-from ropewalk.core.litter import kept_for_later
 from ropewalk.core.status import BROKEN, OK, PAUSED
 from ropewalk.engine.abreast import go_abreast
-from ropewalk.engine.crews import Crew, Crews, batches, go_alone
+from ropewalk.engine.crews import Crew, Crews, batches, go_alone, go_once
 from ropewalk.engine.engine import (
     Asked,
     Controls,
@@ -41,12 +40,10 @@ from ropewalk.engine.engine import (
 )
 from ropewalk.engine.frames import Frames, hold_frames
 from ropewalk.engine.gate import Gate
-from ropewalk.engine.partition import partition
 from ropewalk.engine.places import find_links, pool_size
 from ropewalk.engine.shares import gather_peaks, shares_of
 from ropewalk.engine.shelf import on_shelf, size_of
 from ropewalk.engine.slices import Slices
-from ropewalk.engine.spare import Spare
 from ropewalk.engine.start import all_started, started
 from ropewalk.lowering import Model, Pieces
 from ropewalk.methods.adaptive import Walk
@@ -78,26 +75,15 @@ def one_after_another() -> Iterator[None]:
         _here.alone = before
 
 
-def make_engine(
-    model: Model, ledger: bool, apart: bool = False, spare: Spare | None = None
-) -> Engine | Islands:
-    """Return what moves a model as its run starts, in the arrays of `spare` where they fit.
-
-    `apart`: see `partition`.
-
-    Raises SceneError and NoRest as `start.started` does.
-    """
-    groups = partition(model, apart)
-    if len(groups) > 1:
-        with kept_for_later():
-            return Islands(model, groups, ledger=ledger)
-    model = started(model)
-    room = None if spare is None else spare.filled(model.state)
-    return Engine(model, controls_of(model.system), ledger=ledger, room=room)
+def walk_of(engines: Sequence[Engine]) -> Walk:
+    """Return the walks of engines, one after another."""
+    return Walk(*map(np.concatenate, zip(*(one.walk for one in engines), strict=True)))
 
 
 class Islands:
     """The engines of a scene's islands, and the arrays of the whole."""
+
+    by_frames = False
 
     def __init__(self, model: Model, groups: list[list[int]], *, ledger: bool) -> None:
         """Take up a model whose ropes are grouped into islands, by their numbers.
@@ -169,7 +155,7 @@ class Islands:
         """Write what the islands have into the arrays of the whole."""
         links, whole, sea = self._links, self._pool.view(np.int64), self._sea.view(np.int64)
         values = sea.take(links.own, out=self._carried, mode="clip")
-        values[links.indices] += links.moved
+        values[links.indices] += np.where(values[links.indices] < 0, 0, links.moved)
         whole[links.there] = values
         work = flatten(self.state)
         for name, places in links.sums.items():
@@ -181,7 +167,7 @@ class Islands:
         """Take up in the islands what the whole has, and what hands have changed there."""
         links, whole, sea = self._links, self._pool.view(np.int64), self._sea.view(np.int64)
         values = whole.take(links.there, out=self._carried, mode="clip")
-        values[links.indices] -= links.moved
+        values[links.indices] -= np.where(values[links.indices] < 0, 0, links.moved)
         sea[links.own] = values
         work = flatten(self.state)
         for name, places in links.sums.items():
@@ -211,9 +197,7 @@ class Islands:
     @property
     def walk(self) -> Walk:
         """The walks of all islands, one after another."""
-        return Walk(
-            *(np.concatenate(part) for part in zip(*(e.walk for e in self.engines), strict=True))
-        )
+        return walk_of(self.engines)
 
     @property
     def inner(self) -> Floats:
@@ -228,6 +212,10 @@ class Islands:
         """Go back to the numbers of the islands and their walks; those of the whole are the caller's."""
         ends = np.cumsum([self._sea.size, self._shelf.size])
         self._sea[:], self._shelf[:], self._ended[:] = np.split(inner, ends)
+        self._restore_walks(walk)
+
+    def _restore_walks(self, walk: Walk) -> None:
+        """Go back to the walks of the islands, which lie one after another."""
         first = [0] * len(walk)
         for engine in self.engines:
             for k, (to, numbers) in enumerate(zip(engine.walk, walk, strict=True)):
@@ -256,14 +244,14 @@ class Islands:
         before = self._sea.view(np.int64).copy()
         self._spread()
         changed = before != self._sea.view(np.int64)
-        moved = self._moved_bodies()
+        moved = self.note_bodies()
         for engine, room in zip(self.engines, self._rooms, strict=True):
             if moved or changed[room].any():
                 engine.prepare(time)
         self._gather()
 
-    def _moved_bodies(self) -> bool:
-        """Tell whether hands have changed how an obstacle moves: ropes of every island may lie on it."""
+    def note_bodies(self) -> bool:
+        """Note how obstacles move; tell whether it is new: ropes of every island may lie on them."""
         pairs = zip(self._seen, self.controls.bodies, strict=True)
         moved = [not np.array_equal(seen, now) for seen, now in pairs]
         for seen, now in zip(self._seen, self.controls.bodies, strict=True):
@@ -350,9 +338,12 @@ class Islands:
             first = crew.numbers[0]
             if self._ended[first]:
                 return [Moved(OK, frames, 0)]
+            slices = self._crews.slices(crew)
+            if frames == 1 and not crew.abreast and slices.holds(int(now[3])):
+                return go_once(mates[first], slices, now.copy(), outs[first], stop)
             those, rooms = zip(*((mates[k], outs[k]) for k in crew.numbers), strict=True)
             way = go_abreast if crew.abreast else go_alone
-            return way(those, self._crews.slices(crew), now.copy(), frames, rooms, stop, asked)
+            return way(those, slices, now.copy(), frames, rooms, stop, asked)
 
         def run(some: list[Crew]) -> tuple[list[list[Moved]], float]:
             moved, waited = list[list[Moved]](), 0.0

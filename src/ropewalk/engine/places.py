@@ -35,7 +35,7 @@ def find_links(
     for k, (share, state) in enumerate(zip(shares, states, strict=True)):
         shapes = tuple(array.shape for array in flatten(state).values())
         alike[shapes, share.own_segments.tobytes()].append(k)
-        firsts.append(_start(state.x, sea))
+        firsts.append(start_in(state.x, sea))
     found: list[list[Ints]] = [[np.zeros(0, np.int64)] for _ in range(4)]
     sums = {name: np.zeros((len(shares), 2), np.int64) for name in SUMS}
     past, now = np.zeros(len(shares), np.int64), np.zeros((len(shares), 2), np.int64)
@@ -49,7 +49,7 @@ def find_links(
             found[1].append(own)
             if name in INDICES:
                 found[2].append(count + np.arange(own.size))
-                found[3].append(np.concatenate([shares[k].moved[name] for k in numbers]))
+                found[3].append(np.concatenate([shares[k].moved[name].ravel() for k in numbers]))
             count += own.size
         for name, rows in sums.items():
             rows[numbers] = offsets[:, None] + model[name]
@@ -57,6 +57,35 @@ def find_links(
         now[numbers] = offsets[:, None] + model["now"]
     at, own, indices, moved = (np.concatenate(parts) for parts in found)
     return Links(at, own, indices, moved, sums, past, now)
+
+
+class OwnLinks(NamedTuple):
+    """Places in the pool of the whole, and in that of one island."""
+
+    there: Ints
+    own: Ints
+    indices: Ints  # as of `Links`
+    moved: Ints
+
+
+def own_links(there: dict[str, Ints], share: Share, state: State, pool: Floats) -> OwnLinks:
+    """Find the places of one island's numbers; `there` are those of the whole, see `places_in`."""
+    model = places_in(state, pool)
+    found: list[list[Ints]] = [[np.zeros(0, np.int64)] for _ in range(4)]
+    count = 0
+    for name, (whole, own) in _pairs(there, [share], model):
+        found[0].append(whole.ravel())
+        found[1].append(own.ravel())
+        if name in INDICES:
+            found[2].append(count + np.arange(own.size))
+            found[3].append(share.moved[name].ravel())
+        count += own.size
+    return OwnLinks(*(np.concatenate(parts) for parts in found))
+
+
+def places_in(state: State, pool: Floats) -> dict[str, Any]:
+    """Return by name where the numbers of a state lie in its pool."""
+    return flatten(_places(state, pool))
 
 
 def _pairs(
@@ -67,7 +96,7 @@ def _pairs(
     for name in shares[0].names(model):
         last, _, here = shares[0].where(name)
         at = np.array([share.rows(name) for share in shares])
-        array = there[name]
+        array = shares[0].of_bodies(name, there[name])
         one = np.moveaxis(array[..., at], -2, 0) if last else array[at]
         found.append((name, (one, model[name][..., here] if last else model[name][here])))
     return found
@@ -79,7 +108,7 @@ def pool_size(state: State) -> int:
     return sum(-(-part.size // 8) * 8 for name, part in parts if not name.startswith(PEAKS))
 
 
-def _start(array: Any, pool: Floats) -> int:
+def start_in(array: Any, pool: Floats) -> int:
     """Return where an array begins in its pool."""
     first: int = array.__array_interface__["data"][0] - pool.__array_interface__["data"][0]
     return first // 8
@@ -91,7 +120,7 @@ def _places(state: State, pool: Floats) -> State:
     def place(value: Any) -> Any:
         if isinstance(value, tuple):
             return type(value)(*(place(item) for item in value))
-        first = _start(value, pool)
+        first = start_in(value, pool)
         return np.arange(first, first + value.size).reshape(value.shape)
 
     places: State = place(state)

@@ -11,7 +11,9 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints, State, copy, flatten
 from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, VALUE
+from ropewalk.laws.pairs.table import SLIDE
 from ropewalk.laws.registry import NAMES
+from ropewalk.laws.slides.table import DRUM, ENDS
 from ropewalk.lowering import Layout, Model, Pieces, Span
 from ropewalk.lowering.layout import make_layout
 from ropewalk.lowering.system import make_tables
@@ -34,9 +36,15 @@ ANCHORS = (
 )
 WINCHES = ("winch_exit", "winch_rate", "winch_debt", "winch_paid")
 JOINTS, POINTS = ("tied",), ("joint_force",)
+WHEELS = ("memory.obstacle.wheel",)
+BY_BODY = tuple(f"memory.obstacle.{name}" for name in ("grip", "books", "slip"))  # (k, ..., n)
+PRESSED = "forces.node.obstacle"  # (3 + 6 k, n): of all obstacles, then of each
+SLIDES = tuple(
+    f"memory.slide.{name}" for name in ("grip", "group", "sight", "ends", "off", "stops")
+)
 # Of all ropes together; and what is each island's own: the verdict, a method's memory.
 SUMS = ("work.limiter", "work.winch")
-OWN = ("past", "now", "jolt", "most", "balance")
+OWN = ("past", "now", "jolt", "most", "balance", "memory.slide.tally")
 MEMORY = "memory."  # of laws of nodes
 PEAKS = "peaks."  # every island looks at its own steps
 SEGMENTS_RECORDED = (
@@ -47,10 +55,23 @@ PEAKS_OF_SEGMENTS = ("tension_high", "tension_low", "square_high", "square_low",
 LINES = slice(0, FORCE)  # the extremes that a segment or node has ...
 HOLDERS = slice(FORCE, None)  # ... and those of an anchor
 NODES_RECORDED = ("x", "v", "speed_high", "lowest", "highest", "contact")
-INDICES = ("anchor_node", "winch_exit")  # hold indices of nodes
-_COUNTED = (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES, JOINTS, POINTS)
+# Hold indices of nodes, -1: none.
+INDICES = (
+    *("anchor_node", "winch_exit", "memory.slide.group", "memory.slide.ends"),
+    "memory.contact.inside",
+)
+INSIDE = ("memory.contact.inside",)
+# What contacts remember by pairs of segments; see `contact_rows`.
+ROWS = tuple(
+    f"memory.contact.{name}"
+    for name in (
+        *("pair", "grip", "near", "tally", "origin"),
+        *("box", "order", "tree", "rope", "books", "swept"),
+    )
+)
+_COUNTED = (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES, JOINTS, POINTS, SLIDES, INSIDE, WHEELS)
 _KINDS = {name: kind for kind in _COUNTED for name in kind}
-_APART = frozenset(SUMS + OWN)
+_APART = frozenset((*SUMS, *OWN, *ROWS, "memory.obstacle.ties"))
 Place = Ints | slice
 
 
@@ -64,6 +85,10 @@ class Share:
     winches: Ints  # rows in the whole
     joints: Ints  # rows in the whole
     points: Ints  # of these joints, rows in the whole
+    slides: Ints  # rows in the whole
+    inside: Ints  # of what lies inside the lines of these slides, rows in the whole
+    bodies: Ints  # of obstacles, rows in the whole; those that turn freely have one island each
+    wheels: Ints  # of those of these that turn freely, rows in the whole
     moved: dict[str, Ints]  # what to take from the whole's indices, by the name of their array
 
     @cached_property
@@ -90,6 +115,9 @@ class Share:
             WINCHES: (False, self.winches, slice(0, winches)),
             JOINTS: (False, self.joints, slice(0, len(self.joints))),
             POINTS: (False, self.points, slice(0, len(self.points))),
+            SLIDES: (False, self.slides, slice(0, len(self.slides))),
+            INSIDE: (False, self.inside, slice(0, len(self.inside))),
+            WHEELS: (False, self.wheels, slice(0, len(self.wheels))),
         }
         if len(self.spans) == 1:
             ((there, _),) = self.spans
@@ -108,7 +136,14 @@ class Share:
 
         First in the whole, then in the share. Raises KeyError for an array that nobody has placed.
         """
-        return self._spots[NODES if name.startswith(MEMORY) else _KINDS[name]]
+        return self._spots[_KINDS.get(name, NODES) if name.startswith(MEMORY) else _KINDS[name]]
+
+    def of_bodies(self, name: str, array: Any) -> Any:
+        """Return an array of the whole with what it has of the share's obstacles alone."""
+        if name == PRESSED and len(array) > 3:
+            own = 3 + 6 * self.bodies[:, None] + np.arange(6)
+            return array[np.concatenate([np.arange(3), own.ravel()])]
+        return array[self.bodies] if name in BY_BODY else array
 
     def rows(self, name: str) -> Ints:
         """Return where the entries of an array lie in the whole, as indices."""
@@ -129,7 +164,8 @@ class Share:
         Tables that are those of the last share, with the same `keep`, are its tables.
         """
         layout = make_layout(self.scene)
-        named = self.scene.winches or self.scene.joints
+        scene = self.scene
+        named = scene.winches or scene.joints or scene.slides or scene.contact is not None
         common = layout if named or len(self.spans) > 1 else _nameless(layout)
         system, made = make_tables(self.scene, common, keep, drawn=False)
         state = copy(made)  # nobody writes to what is made
@@ -137,11 +173,11 @@ class Share:
         for name in self.names(own):
             last, at, here = self.where(name)
             if last:
-                own[name][..., here] = whole[name][..., at]
+                own[name][..., here] = self.of_bodies(name, whole[name])[..., at]
             else:
                 own[name][here] = whole[name][at]
         for name in INDICES:
-            own[name] -= self.moved[name]
+            own[name] -= np.where(own[name] < 0, 0, self.moved[name])
         params = model.system.anchors.params[
             self.anchors
         ]  # of motions that may have begun elsewhere
@@ -159,9 +195,12 @@ def _nameless(layout: Layout) -> Layout:
     return replace(layout, ropes=(replace(span, name=""),), anchor_names=())
 
 
-def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
-    """Return the share of every group of ropes, which are given by their numbers."""
-    scene, spans = model.scene, model.layout.ropes
+def shares_of(model: Model, groups: list[list[int]], homes: Ints | None = None) -> list[Share]:
+    """Return the share of every group of ropes, which are given by their numbers.
+
+    `homes` (w,) are the ropes whose shares have the wheels; None: each has all.
+    """
+    scene, spans, inside = model.scene, model.layout.ropes, model.system.node.contact
     anchors, winches = defaultdict(list), defaultdict(list)
     for row, anchor in enumerate(scene.anchors):
         anchors[anchor.rope].append(row)
@@ -181,30 +220,53 @@ def shares_of(model: Model, groups: list[list[int]]) -> list[Share]:
             pairs.append((spans[i], replace(spans[i], first=first)))
             first += spans[i].nodes
         back = {there.name: there.first - own.first for there, own in pairs}
+        slid = [k for k, slide in enumerate(scene.slides) if slide.rope in here]
         moved = {
             "anchor_node": [back[scene.anchors[row].rope] for row in held],
             "winch_exit": [back[scene.winches[row].rope] for row in wound],
         }
+        ways = [(back[scene.slides[k].rope], back[scene.slides[k].on]) for k in slid]
+        by_node = np.array(ways, np.int64).reshape(-1, 2)[:, [0, 1, 1, 1]]
+        at_drums = np.zeros((len(slid), ENDS), np.int64)
+        at_drums[:, DRUM:] = by_node[:, 1:2]
+        lies = inside.inside[:, SLIDE]
+        within = np.flatnonzero(np.isin(lies, slid))
+        lines = [[back[scene.slides[k].on]] * 2 for k in lies[within]]
+        bodies, turning = _bodies(model, group, homes)
         part = scene.model_copy(
             update={
                 "ropes": tuple(scene.ropes[i] for i in group),
                 "anchors": tuple(scene.anchors[row] for row in held),
                 "winches": tuple(scene.winches[row] for row in wound),
                 "joints": tuple(scene.joints[j] for j in joints),
+                "slides": tuple(scene.slides[k] for k in slid),
+                "obstacles": tuple(scene.obstacles[row] for row in bodies),
             }
         )
-        rows = [np.array(part, np.int64) for part in (held, wound, joints, points)]
+        rows = [np.array(part, np.int64) for part in (held, wound, joints, points, slid)]
         shifts = {name: np.array(by, np.int64) for name, by in moved.items()}
-        own = Share(part, tuple(pairs), rows[0], rows[1], rows[2], rows[3], shifts)
-        shares.append(own)
+        shifts |= {"memory.slide.group": by_node, "memory.slide.ends": at_drums}
+        shifts["memory.contact.inside"] = np.array(lines, np.int64).reshape(-1, 2)
+        where = rows[0], rows[1], rows[2], rows[3], rows[4], within, bodies, turning
+        shares.append(Share(part, tuple(pairs), *where, shifts))
     return shares
 
 
-def best_of(groups: list[tuple[list[Share], Floats]], order: Ints) -> Floats:
+def _bodies(model: Model, group: list[int], homes: Ints | None) -> tuple[Ints, Ints]:
+    """Return which obstacles a group of ropes has, and which wheels these are, see `shares_of`."""
+    wheel = model.system.node.obstacle.wheel
+    here = np.ones(len(wheel), bool)
+    if homes is not None and homes.size:
+        here = (wheel < 0) | np.isin(homes, group)[np.maximum(wheel, 0)]
+    return np.flatnonzero(here), wheel[here & (wheel >= 0)]
+
+
+def best_of(groups: list[tuple[list[Any], Floats]], order: Ints) -> Floats:
     """Return the greatest and least of all shares, (4, ..., 8), of what groups of equal ones have found.
 
-    Each is (k, 4, ..., 8): VALUE, PLACE, SINCE and UNTIL of `core.peaks`, its EXTREMES last; places become
-    the whole's. `order` says which share each is, in the order of the groups: the first of equal ones counts.
+    Shares are asked for `nodes` and `anchors` only. Each is (k, 4, ..., 8): VALUE, PLACE, SINCE and UNTIL of
+    `core.peaks`, its EXTREMES last; places become the whole's. `order` says which share each is, in the order
+    of the groups: the first of equal ones counts.
     """
     for shares, found in groups:
         places = found[:, PLACE]

@@ -69,6 +69,10 @@ class Slices:
             if self.is_asked():
                 return OK, good
 
+    def holds(self, steps: int) -> bool:
+        """Tell whether a call may have so many steps, of one length."""
+        return self._fixed and steps <= self.most
+
     def _cut_frame(
         self, call: Call, keep: Keep, steps: int, out: Recording, stop: bool
     ) -> tuple[int, int]:

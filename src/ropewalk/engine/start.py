@@ -23,7 +23,7 @@ from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.obstacles import is_free
 from ropewalk.scene.ring import Ring
-from ropewalk.statics import checked_shape
+from ropewalk.statics import Statics, checked_shape
 
 
 def started(model: Model) -> Model:
@@ -39,13 +39,18 @@ def started(model: Model) -> Model:
     not reach or do not have the shape's length, and for a mode that is not there or does not
     ring; `statics.NoRest` when none is found.
     """
+    return started_with_rest(model)[0]
+
+
+def started_with_rest(model: Model) -> tuple[Model, Statics | None]:
+    """Return what `started` does, and the shape of rest where it was looked for."""
     if model.started:
-        return model
+        return model, None
     run = model.scene.run
     if run.start != "at-rest":
         found = _remembering(with_bounds(with_links(model)))
-        _load_wheels(found)
-        return found
+        load_wheels(found.system, found.state)
+        return found, None
     state = arrays.copy(model.state)
     rest = checked_shape(model)
     state.x[...] = rest.positions.T
@@ -58,8 +63,8 @@ def started(model: Model) -> Model:
         arrays.assign(found.state.memory, rest.memory)
         rates[:, ANGLE] = rest.memory.obstacle.wheel[:, ANGLE]
         memory.wheel[...] = rates
-        _load_wheels(found)
-    return found
+        load_wheels(found.system, found.state)
+    return found, rest
 
 
 def all_started(parts: Iterable[Model], ropes: Iterable[list[int]]) -> list[Model]:
@@ -85,10 +90,13 @@ def _in_whole(fault: Fault, numbers: list[int]) -> Fault:
     return replace(fault, path=path)
 
 
-def _load_wheels(model: Model) -> None:
-    """Write the torques with which wheels start, as methods take them that begin with an explicit stage."""
-    table, state = model.system.node.obstacle, model.state
-    memory = state.memory.obstacle
+def load_wheels(system: System, state: State) -> None:
+    """Write the torques with which wheels start, as methods take them that begin with an explicit stage.
+
+    Those of the ropes and of the bodies' own weights [N m], by what contacts remember, into what is
+    remembered of the wheels (`laws.wheel_rows`).
+    """
+    table, memory = system.node.obstacle, state.memory.obstacle
     if not len(table.inertia):
         return
     torques = rope_torques(table, memory, state.x, state.v)
@@ -135,7 +143,7 @@ def _velocity(model: Model, ring: Ring) -> Floats:
 def set_first_reactions(system: System, state: State) -> None:
     """At time zero an anchor's reaction balances the forces on its node, which are evaluated already.
 
-    And on what is tied to that node. A joint's force on a node is what this one needs for its acceleration.
+    And on what is tied to that node.
     """
     joints = system.joints
     for row, i in enumerate(state.anchor_node):
@@ -144,11 +152,23 @@ def set_first_reactions(system: System, state: State) -> None:
         state.reaction[row] = 0.0
         for node in nodes if state.held[row] else ():
             state.reaction[row] -= _total_force(system, state, node)
-    for p, i in enumerate(joints.member):
-        push = state.mass[i] * state.acceleration[:, i] - _total_force(system, state, i)
-        state.joint_force[p] = push
+    set_joint_forces(system, state)
     if len(state.moment):  # else it would be compiled for nothing
         start_clamps(system, state)
+
+
+def set_joint_forces(system: System, state: State) -> None:
+    """Write the force of every joint on its nodes [N], (p, 3): what each needs for its acceleration.
+
+    From forces and accelerations that are evaluated already. Over a joint they add up to nothing, or to the
+    force of the anchor that holds it (`laws.joint_forces`); to nothing each where it is not tied.
+    """
+    joints = system.joints
+    for j, tied in enumerate(state.tied):
+        for p in range(joints.first[j], joints.first[j + 1]):
+            i = joints.member[p]
+            push = state.mass[i] * state.acceleration[:, i] - _total_force(system, state, i)
+            state.joint_force[p] = tied * push
 
 
 def _total_force(system: System, state: State, i: int) -> Floats:

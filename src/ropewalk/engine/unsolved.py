@@ -13,7 +13,7 @@ from ropewalk.lowering import Layout, Model
 from ropewalk.lowering.link_lengths import has_links, reaches
 from ropewalk.methods import adaptive
 from ropewalk.methods.controller import END, LONGEST, SHORTEST_STEP
-from ropewalk.methods.implicit import MOST_HALVINGS, SMALLEST_PART
+from ropewalk.methods.part_lengths import MOST_HALVINGS, SMALLEST_PART
 from ropewalk.methods.stage import Stage
 from ropewalk.methods.stage_report import MISFIT, NODE, RESIDUAL, ROUNDING, SCALE, TIGHT, TIME
 

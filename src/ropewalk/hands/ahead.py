@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -17,7 +18,7 @@ def speed_ahead(motions: Any, row: int, time: float) -> float:
         return 0.0  # a table's end, or the stop of what moves evenly
     table = own_table(motions, row)
     now = max(int(np.searchsorted(table[:, 0], time, side="right")) - 1, 0)
-    return kind_of(motions, row).speed(motions.params[row], table[now:])
+    return kind_of(motions, row).speed(motions.params[row], table[now:], math.inf)
 
 
 def rate_ahead(obstacles: Obstacles, row: int, time: float) -> float:

@@ -31,6 +31,7 @@ class Goal:
 
     position: Floats | None = None  # (3,) [m]
     direction: Floats | None = None  # (3,) unit vector of the clamp
+    way: float = 0.0  # [m] along the axis on which it is farthest, when it sets off
 
 
 class Driven:
@@ -217,6 +218,7 @@ class Driven:
                 self.take_in_hand(row)
                 way = goal.position - self._state.anchor_x[row]
                 self._state.anchor_v[row] = way / duration
+                goal.way = float(np.abs(way).max())
             if goal.direction is not None:
                 axis, angle = shortest_turn(self._state.clamp_direction[row], goal.direction)
                 self._turn(row, axis, angle / duration)
@@ -232,7 +234,8 @@ class Driven:
             place = goal.position
             if place is not None:
                 state.anchor_v[row] = 0.0
-                little = _ROUNDING * float(np.abs([place, state.anchor_x[row]]).max())
+                size = max(goal.way, float(np.abs([place, state.anchor_x[row]]).max()))
+                little = _ROUNDING * size
                 if np.abs(state.anchor_x[row] - place).max() <= little:  # not held up by the ground
                     nodes = tied_with(self.system.joints, state.tied, int(state.anchor_node[row]))
                     state.anchor_x[row] = place

@@ -16,6 +16,7 @@ from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
 from ropewalk.laws.joint_forces import write_joint_forces
 from ropewalk.laws.joints import follow, tie, tied_to
 from ropewalk.laws.nodes import hold_up, remember_step
+from ropewalk.laws.pairs.swept import HELD_WIDTH, sweep_held
 from ropewalk.laws.rare import has_clamps, limits
 from ropewalk.laws.table import force_on_node
 from ropewalk.motions.registry import HAND
@@ -129,6 +130,9 @@ def move_anchors(system, state, forces, t, dt, middle, point, speed, lo=0, hi=AL
     write_joint_forces(system, state, forces, middle, dt)
     close_clamps(system, state, t, dt)
     remember_step(system, state, t)
+    swept = state.memory.contact.swept
+    if system.rare is not None and swept.shape[1] == HELD_WIDTH:
+        sweep_held(state.x, state.v, swept)
 
 
 @part

@@ -19,6 +19,7 @@ import math
 
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.elastic import pull_of
+from ropewalk.laws.ledger import energy_past_anchors
 from ropewalk.laws.rare import limits
 
 IMPACT = 0.01  # [1] of the kinetic energy: what is carried on of a lesser impulse moves little
@@ -103,7 +104,9 @@ def is_stopped(system, state, forces, dt):
     if limits(system):
         lasting = 0.0 if state.jolt[0] > 0.0 else 1.0  # what an impact's last step left is none
         taken += stopped_energy(before.limiter, forces.limiter, lasting, x, v, dt)
-    return taken > 0.0 and taken > IMPACT * energy_past_anchors(state)
+    return taken > 0.0 and taken > IMPACT * energy_past_anchors(
+        state.v, state.mass, state.inverse_mass
+    )
 
 
 @small
@@ -253,27 +256,3 @@ def time_to_taut(stiffness, floor, length, x, v, after, dt):
             fastest = max(fastest, rate / r)
             first = min(first, max((length[j] - r) * r / rate, 0.0))
     return first, fastest
-
-
-@kernel
-def energy_past_anchors(state):
-    """Return the kinetic energy of the free nodes past the held ones, or past their mean where none is [J].
-
-    What is carried along as a whole hides no impact within it.
-    """
-    v, mass, inverse_mass = state.v, state.mass, state.inverse_mass
-    held = 0
-    for i in range(mass.shape[0]):
-        held += 1 if inverse_mass[i] == 0.0 else 0
-    energy = 0.0
-    for k in range(3):
-        weight, momentum, square = 0.0, 0.0, 0.0
-        for i in range(mass.shape[0]):
-            share = mass[i] if held == 0 else 1.0 if inverse_mass[i] == 0.0 else 0.0
-            weight += share
-            momentum += share * v[k, i]
-        for i in range(mass.shape[0]):
-            if inverse_mass[i] > 0.0:
-                square += mass[i] * (v[k, i] - momentum / weight) ** 2
-        energy += 0.5 * square
-    return energy

@@ -2,15 +2,15 @@
 
 With g the gap, v the velocity over the surface, D the way over it since the last accepted step, R' the
 friction spring's force then, P = I - n n^T and R the force of a squeeze, see `hardening`,
-    R_n = max(0, R(-g) - c n.v)                           a damper that never pulls, see `closing`
+    R_n = max(0, R(-g) - z c n.v)                         a damper that never pulls, see `closing`
     q   = P (R' - k_t D) - c P v
     R_t = q            where |q| <= mu R_n                it sticks
           mu R_n q/|q| elsewhere                          it slips
 What is kept to the next step is the spring's part, P (R' - k_t D), cut to mu R_n. A contact that sticks does
 not creep: its memory is a force. A node that an anchor or a drum holds is pushed by nothing: it is where it
 is held, see `held_nodes`. A body that moves is looked at in its own frame, at the time of the forces.
-k_t is R over the depth at the last step, k of what is not pressed far. With c = 2 sqrt(k m) a node that hits
-a surface on its own stays there.
+k_t is R over the depth at the last step, k of what is not pressed far. With c = 2 sqrt(k m) and z = 1 a node
+that hits a surface on its own stays there; with less it leaves with a part of its speed, see `rebound`.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 
@@ -30,6 +30,8 @@ from ropewalk.laws.contact_books import PRESSED, RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import (
     DAMP,
     GRIP,
+    MOVES,
+    OFTENER,
     PUSH,
     STIFF,
     STILL,
@@ -77,7 +79,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
             n, a = (nx, ny, nz), (ax, ay, az)
             rise = closing(nx * vx + ny * vy + nz * vz, -depth, n, a, ca, cb, (vx, vy, vz))[0]
-            push = squeezed(obstacles, o, i, depth)[0] - c * rise
+            push = squeezed(obstacles, o, i, depth)[0] - obstacles.ratio[o] * c * rise
             if not push > 0.0:
                 continue
             sx, sy, sz = 0.0, 0.0, 0.0
@@ -127,7 +129,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             pressed, _, stored = squeezed(obstacles, o, i, depth)
             normal, a, rise = (nx, ny, nz), (ax, ay, az), nx * vx + ny * vy + nz * vz
             rise = closing(rise, -depth, normal, a, ca, cb, (vx, vy, vz))[0]
-            push = pressed - c * rise
+            push = pressed - obstacles.ratio[o] * c * rise
             if held[i] != 0:
                 push, stored = 0.0, 0.0
             if push > 0.0 and grip[PUSH, i] == 0.0:
@@ -179,7 +181,8 @@ def harden(obstacles, grip, o, i, depth):
 def push_on(obstacles, o, i, gap, rise):
     """Return what presses on node i at a gap [m] that grows at `rise` [m/s] [N]; no more than 0: nothing."""
     depth = obstacles.thickness[i] - gap
-    return squeezed(obstacles, o, i, depth)[0] - along_surface(obstacles, o, i, depth)[1] * rise
+    c = obstacles.ratio[o] * along_surface(obstacles, o, i, depth)[1]
+    return squeezed(obstacles, o, i, depth)[0] - c * rise
 
 
 @deferred("float64")
@@ -189,18 +192,20 @@ def quickest_impact(state, force, dt, obstacles, memory):
     Under mean forces (3 + 6 k, n) [N]. One that was open and presses in the step is stopped, were it for a
     stage alone; and one that presses as it begins and comes nearer by more than STILL diameters, if the step
     is too long to follow how it is stopped, or if what stops it is the contact's harder part: it has more
-    mass behind it than its damper is made for.
+    mass behind it than its damper is made for. What throws back is followed on its way out, too.
     """
     struck, now, x, v = 0.0, state.now, state.x, state.v
     for o in range(obstacles.kind.shape[0]):
         hub, grip, row = obstacles.hub[o], memory.grip[o], 3 + 6 * o
+        back = obstacles.ratio[o] < 1.0
+        oftener, still = (OFTENER, MOVES) if back else (1.0, STILL)
         mx, my, mz, ux, uy, uz, angle, rate = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
         _, sweep = rates_of(obstacles, o, rate)
         for i in range(x.shape[1]):
             if force[row, i] == 0.0 and force[row + 1, i] == 0.0 and force[row + 2, i] == 0.0:
                 continue
-            quick = grip[STIFF, i] / grip[DAMP, i]
+            quick = grip[STIFF, i] / grip[DAMP, i] * oftener
             if grip[PUSH, i] == 0.0:
                 struck = max(struck, quick)
                 continue
@@ -209,7 +214,8 @@ def quickest_impact(state, force, dt, obstacles, memory):
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             rise = nx * (v[0, i] - lx) + ny * (v[1, i] - ly) + nz * (v[2, i] - lz)
-            fast = rise * dt < -STILL * obstacles.diameter[i] and state.inverse_mass[i] > 0.0
+            way = abs(rise) * dt if back else -rise * dt
+            fast = way > still * obstacles.diameter[i] and state.inverse_mass[i] > 0.0
             if fast and (
                 quick * dt > STOPS or is_stopped_hard(obstacles, force, o, i, gap, rise, dt)
             ):

@@ -2,8 +2,9 @@
 
 Over an accepted step let N and Q be the mean forces of an obstacle on a node, what presses and what rubs, m
 the way of the surface as it moves, D the node's way over it as it moves and turns, d = D + w, and G by how
-much its gap has grown along the normal n. Of a body that is not round, whose turning moves the surface, m is
-w: all that it leads along. Then
+much its gap has grown along the normal n. A body that is not round, whose turning moves the surface, adds its
+angle times a x o to m, a its axle and o the mean of the node's places from it at both ends: torque times
+angle, which the chord of the surface's way is of first order off. Then
     N . n G        what presses,        Q . D        what rubs,        N . m + Q . w        the motor
 have done. The first two only take, but for what the contact stores, its squeeze, see `hardening`, and
 |R|^2 / (2 k) of the friction spring: by implicit Euler friction in every step, pressing on flat bodies, for
@@ -47,9 +48,12 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
     for k in range(3):
         slip[LED + k, i] = now[k] - then[k]
     if angle != 0.0 and obstacles.sweeps[o]:  # what its turning leads along, too
-        slip[LED, i] = x + now[0] - place[0, i] - dx
-        slip[LED + 1, i] = y + now[1] - place[1, i] - dy
-        slip[LED + 2, i] = z + now[2] - place[2, i] - dz
+        ox = 0.5 * (x + place[0, i] - then[0]) - hub[0]
+        oy = 0.5 * (y + place[1, i] - then[1]) - hub[1]
+        oz = 0.5 * (z + place[2, i] - then[2]) - hub[2]
+        slip[LED, i] += angle * (axle[1] * oz - axle[2] * oy)
+        slip[LED + 1, i] += angle * (axle[2] * ox - axle[0] * oz)
+        slip[LED + 2, i] += angle * (axle[0] * oy - axle[1] * ox)
     books[GAP, i] = gap
 
 

@@ -12,7 +12,10 @@ from ropewalk.motions.whereabouts import place_now
 # the damper.
 GRIP, PUSH, STIFF, DAMP, GRIPS = 3, 4, 5, 6, 7
 STILL = 0.02  # [1] diameters by which a contact may close in a step that strikes nothing
+TOUCHES = 1e-9  # [1] depth over the diameter up to which what is drawn just touching is open
 STOPS = 0.5  # [1] longest step that follows how a contact stops what strikes it, over 2 sqrt(m / k)
+# Of what is thrown back: how much shorter steps are, and from what way across in one on, in diameters [1].
+OFTENER, MOVES = 5.0, 5e-4
 
 
 @kernel

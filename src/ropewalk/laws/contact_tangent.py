@@ -1,7 +1,7 @@
 """How the forces of contacts change with places and velocities; see `contact`.
 
 With H of the surface, k the slope of R, b = mu R_n, q before it is cut and s = q/|q|,
-    -dR_n = k n.dx + c (n.dv + v.H dx - n.(W x dx))      of a contact that pushes, see `closing` beside it
+    -dR_n = k n.dx + z c (n.dv + v.H dx - n.(W x dx))      of a contact that pushes, see `closing` beside it
     -dq   = k_t P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k_t D - c v
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
@@ -50,19 +50,21 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             c, depth = grip[DAMP, i], obstacles.thickness[i] - g
+            damper = obstacles.ratio[o] * c
             n, a, speed = (nx, ny, nz), (ax, ay, az), (vx, vy, vz)
             rise, by_gap, by_place, by_speed = closing(
                 nx * vx + ny * vy + nz * vz, -depth, n, a, ca, cb, speed
             )
             pressed, k, _ = squeezed(obstacles, o, i, depth)
-            push = pressed - c * rise
+            push = pressed - damper * rise
             if not push > 0.0:
                 continue
             vH = across(ca, cb, n, a, speed)
             hx, hy, hz = swept(vH[0], vH[1], vH[2], sweep, nx, ny, nz)  # - n . (W x dx)
             # -dR_n = drop . (weighted step)
-            apart = weight_x * (k + c * by_gap) + weight_v * c
-            aside, by_turn = c * (weight_x * by_place + weight_v * by_speed), weight_x * c
+            apart = weight_x * (k + damper * by_gap) + weight_v * damper
+            aside = damper * (weight_x * by_place + weight_v * by_speed)
+            by_turn = weight_x * damper
             tx, ty, tz = swept(0.0, 0.0, 0.0, sweep, vH[0], vH[1], vH[2])
             drop = (
                 apart * nx + by_turn * (hx + by_speed * tx) + aside * vH[0],

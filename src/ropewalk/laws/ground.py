@@ -21,7 +21,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import deferred, kernel, part, small
 from ropewalk.core.ranges import ALL, rows
-from ropewalk.laws.events import end_of_crossing
+from ropewalk.laws.events import end_of_crossing, end_of_pressing
 from ropewalk.laws.node_law import NodeLaw, Rest, always
 
 if TYPE_CHECKING:
@@ -86,9 +86,14 @@ def tangent(ground, state, x, v, weight_x, weight_v, marks, band):
 @part
 def crossings(ground, before, after, dt, tolerance):
     """Return where a step is to end [s], inf: where it does, and how many nodes have changed sides."""
-    return ground_crossings(
+    end, changes = ground_crossings(
         before.x, before.v, after.x, after.v, after.inverse_mass, ground, dt, tolerance
     )
+    if ground.damping_ratio > 0.0:
+        leaving = ground_leaving(before, after, ground, dt, tolerance)
+        changes += 1 if leaving < math.inf else 0
+        end = min(end, leaving)
+    return end, changes
 
 
 @part
@@ -243,6 +248,35 @@ def ground_crossings(x0, v0, x1, v1, inverse_mass, ground, dt, tolerance):
         rate1 = -(v1[0, i] * ux + v1[1, i] * uy + v1[2, i] * uz)
         end = min(end, end_of_crossing(before, rate0, after, rate1, dt, tolerance))
     return end, changes
+
+
+@deferred("float64")
+def ground_leaving(before, after, ground, dt, tolerance):
+    """Return where the step is to end [s] in which the damper begins, or ceases, to take all that pushes."""
+    end, k, up = math.inf, ground.repulsion, ground.up
+    for i in range(after.inverse_mass.shape[0]):
+        if after.inverse_mass[i] == 0.0:
+            continue
+        lag = 2.0 * ground.damping_ratio * math.sqrt(before.mass[i] / k)  # c / k [s]
+        depth, rise = seen_upward(ground, before, i)
+        deep, fast = seen_upward(ground, after, i)
+        e, e1 = depth - lag * rise, deep - lag * fast
+        if not depth > 0.0 or (e > 0.0) == (e1 > 0.0):
+            continue
+        a = before.acceleration
+        pull = a[0, i] * up[0] + a[1, i] * up[1] + a[2, i] * up[2]
+        quick = math.sqrt(k * after.inverse_mass[i])
+        rate = -rise - lag * pull
+        end = min(end, end_of_pressing(e, rate, math.inf, e1, dt, quick, tolerance))
+    return end
+
+
+@kernel
+def seen_upward(ground, state, i):
+    """Return how deep a node is in the ground [m], and how fast it rises [m/s]."""
+    x, v, up = state.x, state.v, ground.up
+    depth = ground.height - (x[0, i] * up[0] + x[1, i] * up[1] + x[2, i] * up[2])
+    return depth, v[0, i] * up[0] + v[1, i] * up[1] + v[2, i] * up[2]
 
 
 @deferred("float64")

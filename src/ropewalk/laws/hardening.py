@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import small
 
+if TYPE_CHECKING:
+    from ropewalk.scene.obstacles import Obstacle
+
+RIGID = 1e3  # [1] how much stiffer contacts get whose rope has no stiffness to go by
 SKIN = 0.005  # [1] depth over the diameter from which contacts with obstacles get stiffer
 
 
@@ -59,3 +64,17 @@ def depth_under(obstacles: Any, force: float) -> Floats:
     straight = skin + (beyond_skin - whole) / (k + hard)
     found: Floats = np.minimum(force / k, skin) + np.where(curved <= skin, curved, straight)
     return np.where(hard > 0.0, found, force / k)
+
+
+def stiffnesses(
+    bodies: Sequence[Obstacle], own: Floats, firm: Floats, most: Floats
+) -> tuple[Floats, Floats]:
+    """Return how stiff contacts are [N/m], and by how much more where they are pressed deep, (k, n) each."""
+    stiffness, hard = np.maximum(own, firm), np.zeros_like(firm)
+    for row, body in enumerate(bodies):
+        if body.compliance is None:
+            finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
+            hard[row] = np.maximum(finite - stiffness[row], 0.0)
+        else:
+            stiffness[row] = 1.0 / body.compliance
+    return stiffness, hard

@@ -134,6 +134,29 @@ def kinetic_energy(v, mass):
     return total
 
 
+@kernel
+def energy_past_anchors(v, mass, inverse_mass):
+    """Return the kinetic energy of the free nodes past the held ones, or past their mean where none is [J].
+
+    What is carried along as a whole hides nothing that happens within it.
+    """
+    held = 0
+    for i in range(mass.shape[0]):
+        held += 1 if inverse_mass[i] == 0.0 else 0
+    energy = 0.0
+    for k in range(3):
+        weight, momentum, square = 0.0, 0.0, 0.0
+        for i in range(mass.shape[0]):
+            share = mass[i] if held == 0 else 1.0 if inverse_mass[i] == 0.0 else 0.0
+            weight += share
+            momentum += share * v[k, i]
+        for i in range(mass.shape[0]):
+            if inverse_mass[i] > 0.0:
+                square += mass[i] * (v[k, i] - momentum / weight) ** 2
+        energy += 0.5 * square
+    return energy
+
+
 @seldom
 def gravity_energy(x, mass, gravity):
     """Return the potential energy of weight [J], zero at the origin."""

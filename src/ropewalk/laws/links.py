@@ -23,6 +23,7 @@ import numpy as np
 from ropewalk.core.band import clear_band
 from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.network import SOFTEST, solve_network
+from ropewalk.core.ordering import begin_groups, order_groups
 from ropewalk.laws.anchors import anchor_target
 from ropewalk.laws.bounds import SLACK
 from ropewalk.laws.elastic import tensions
@@ -268,6 +269,10 @@ def solve_tied_links(mass, inverse_mass, saddle):
     is left of the equations is solved for again.
     """
     network_of_links(mass, inverse_mass, saddle)
+    network = saddle.network
+    if network.room.point.shape[0] > 0:  # the order of what touched last is in no snapshot
+        begin_groups(network)
+        order_groups(network)
     misfit, keep, t = saddle.misfit, saddle.factor, saddle.direction
     for _ in range(ROUNDS):
         solve_network(saddle)

@@ -50,7 +50,7 @@ class NodeLaw(NamedTuple):
     section: str  # the field or property of the scene that it is made from
     lower: Callable[..., Any]  # (section or None, *inputs): its table, a named tuple
     # what else that follows from: "layout", "diameters", "ropes", "up", "gravity", "whole", "joints",
-    # "parts"
+    # "parts", "masses"
     inputs: tuple[str, ...]
     acts: Callable[[Any], bool]  # (table): whether there is any force
     # part (table, state, x, v, force, lo, hi): write it, for nodes `lo` to `hi - 1`; None: there is never any

@@ -191,7 +191,7 @@ def _crossing(law: NodeLaw, k: int, rest: Any) -> Any:
         if acts(system, k):
             table = system.node[k]
             own, more = crossings(table, before, after, dt, tolerance)
-            end, changes = min(end, own), changes + more
+            end, changes = min(end, own), changes + int(more)
         return end, changes
 
     return _node_crossings

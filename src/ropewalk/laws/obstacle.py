@@ -6,9 +6,8 @@ force at one of its nodes in a step of 1/60 s, whatever the run's own steps are,
 but no more than the whole rope's inertia in that time, nor than its segments are (those lighter than that
 step allows for, than k0). Round bodies are stiffer where more hangs on a rope than that holds: a tension of
 all its weight, loads and given forces turns by h/R at each node and presses it in by FIRM of its diameter.
-The damper is that of a node on its own; in rigid ropes see `striking`.
-What is pressed in farther than the skin of a contact meets as much as the segments' own stiffness, see
-`hardening`: what pulls a line taut is not known beforehand.
+The damper is that of a node on its own, in rigid ropes see `striking`. What is pressed in past the skin
+meets as much as the segments' own stiffness, see `hardening`: what pulls a line taut is not known before.
 """
 
 from __future__ import annotations
@@ -30,8 +29,9 @@ from ropewalk.laws.contact import (
     remember_contacts,
 )
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
-from ropewalk.laws.contact_frame import DAMP, GRIPS, STIFF
+from ropewalk.laws.contact_frame import DAMP, GRIPS, PUSH, STIFF, TOUCHES
 from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.hardening import stiffnesses
 from ropewalk.laws.held_nodes import follow_held
 from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle_places import depths
@@ -49,8 +49,9 @@ from ropewalk.laws.obstacle_rows import (
     wherever,
 )
 from ropewalk.laws.obstacle_way import find_pass, find_sweep, gone, meet
-from ropewalk.laws.standstill import standstills
+from ropewalk.laws.rebound import rebounds
 from ropewalk.laws.striking import firmness, striking
+from ropewalk.laws.touch_events import contact_events
 from ropewalk.laws.wheel_rows import RATE, ROWS, WIDTH
 from ropewalk.motions.rows import Motions, jumps, motion_rows
 
@@ -67,7 +68,6 @@ FIRM = 0.005  # [1] depth over the diameter, see above
 SHARP = 2.0  # [1] what a node presses with, over the tension, where the rope turns back
 SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
 DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
-RIGID = 1e3  # [1] how much stiffer contacts get whose rope has no stiffness to go by
 
 
 class Obstacles(NamedTuple):
@@ -92,6 +92,7 @@ class Obstacles(NamedTuple):
     turns: Motions  # x is the angle about the axis [rad], besides that of `spin`
     stiffness: Floats  # (k, n) of a contact, across and along [N/m]
     damping: Floats  # (k, n) [N s/m]
+    ratio: Floats  # (k,) damping across over damping along [1], less than 1 where nodes are thrown back
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
     hard: Floats  # (k, n) what is added to the stiffness where one is pressed deep [N/m], see `hardening`
     firmness: Floats  # (n,) damping ratio of one pressed deep, for the node as it strikes [1]
@@ -132,10 +133,11 @@ def lower(
     whole: Sequence[float],
     gravity: float,
     up: Sequence[float] = (0.0, 0.0, 1.0),
+    masses: Floats | Sequence[float] = (),
 ) -> Obstacles:
     """Return the table of a scene's obstacles; `whole` is a rope's mass with all it is tied to [kg].
 
-    `gravity` is its size [m/s^2], `up` the direction against it.
+    `gravity` is its size [m/s^2], `up` the way against it, `masses` what each contact stops [kg], (n,).
     """
     bodies = tuple(obstacles or ())
     places = [place_of(body) for body in bodies]
@@ -156,7 +158,8 @@ def lower(
         for row, body in enumerate(bodies):
             firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
             friction[row, nodes] = body.friction_with(rope)
-    stiffness, hard = _stiffness(bodies, own, firm, most)
+    stiffness, hard = stiffnesses(bodies, own, firm, most)
+    ratio, hit = rebounds(bodies, struck, np.asarray(masses) if len(masses) else mass)
     centers, hubs, motion = wherever(bodies, places)
     wheels = wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64))
     levers = [w >= 0 and wheels["weight"][w].any() for w in wheels["wheel"]]
@@ -175,27 +178,14 @@ def lower(
         motion=motion,
         turns=motion_rows([turning_of(body) for body in bodies], np.zeros((count, 3))),
         stiffness=stiffness,
-        damping=2.0 * DAMPING * np.sqrt(stiffness * struck),
+        damping=2.0 * DAMPING * np.sqrt(stiffness * hit),
+        ratio=ratio,
         thickness=thickness,
         hard=hard,
         firmness=firmly,
         diameter=diameter,
         **wheels,
     )
-
-
-def _stiffness(
-    bodies: Sequence[Obstacle], own: Floats, firm: Floats, most: Floats
-) -> tuple[Floats, Floats]:
-    """Return how stiff contacts are [N/m], and by how much more where they are pressed deep, (k, n) each."""
-    stiffness, hard = np.maximum(own, firm), np.zeros_like(firm)
-    for row, body in enumerate(bodies):
-        if body.compliance is None:
-            finite = np.where(np.isfinite(most), most, RIGID * stiffness[row])
-            hard[row] = np.maximum(finite - stiffness[row], 0.0)
-        else:
-            stiffness[row] = 1.0 / body.compliance
-    return stiffness, hard
 
 
 def radius_of(rope: Rope) -> float:
@@ -261,6 +251,7 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats, held: Ints) -> Me
     found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own, held.copy())
     found.wheel[:, RATE] = obstacles.rate
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
+    grip[:, PUSH] *= grip[:, PUSH] > TOUCHES * obstacles.diameter * obstacles.stiffness
     return found
 
 
@@ -314,8 +305,8 @@ def hits(obstacles, state, force, dt, x, v):
 
 @part
 def crossings(obstacles, before, after, dt, tolerance):
-    """Return where a step is to end [s], inf: where it does, and how many nodes that slipped have stopped."""
-    return standstills(obstacles, before, after, dt, tolerance)
+    """Return where a step is to end [s], inf: where it does, and how many nodes stopped, met or left it."""
+    return contact_events(obstacles, before, after, dt, tolerance)
 
 
 @part
@@ -375,7 +366,7 @@ OBSTACLE = NodeLaw(
     name="obstacle",
     section="obstacles",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "gravity", "up"),
+    inputs=("layout", "ropes", "whole", "gravity", "up", "masses"),
     acts=acts,
     force=force,
     tangent=tangent,

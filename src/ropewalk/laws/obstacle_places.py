@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -84,23 +85,27 @@ def middle_turned(obstacles: Obstacles, row: int, t: float, angle: float) -> Flo
     return found
 
 
-def turning_rate(obstacles: Obstacles, row: int) -> float:
-    """Return the largest rate at which an obstacle turns [rad/s]; a free one that sweeps, as it starts."""
+def turning_rate(obstacles: Obstacles, row: int, until: float = math.inf) -> float:
+    """Return the largest rate at which an obstacle turns before a time [s] [rad/s].
+
+    Of a free one that sweeps that at the start.
+    """
     w = obstacles.wheel[row]
     if w >= 0 and obstacles.sweeps[row]:
         return abs(float(obstacles.rate[w]))
-    return abs(float(obstacles.spin[row, 0])) + largest_speed(obstacles.turns, row)
+    rate, start = obstacles.spin[row, :2]
+    steady = abs(float(rate)) if start < until else 0.0
+    return steady + largest_speed(obstacles.turns, row, until)
 
 
-def surface_speed(obstacles: Obstacles, row: int) -> float:
-    """Return the largest speed of what an obstacle's motion and turning drag along [m/s].
+def surface_speed(obstacles: Obstacles, row: int, until: float = math.inf) -> float:
+    """Return the largest speed of what an obstacle's motion and turning drag along before a time [s] [m/s].
 
     A plane or a torus drags at most what is as far from its axis as the solid reaches; that of a plane is not
     known, and its turning not counted.
     """
-    return largest_speed(obstacles.motion, row) + turning_rate(obstacles, row) * reach_of(
-        obstacles, row
-    )
+    turning = turning_rate(obstacles, row, until)
+    return largest_speed(obstacles.motion, row, until) + turning * reach_of(obstacles, row)
 
 
 def reach_of(obstacles: Obstacles, row: int) -> float:
@@ -123,10 +128,13 @@ def reach_of(obstacles: Obstacles, row: int) -> float:
     return off + float(size[0]) + ring
 
 
-def sweeping_speed(obstacles: Obstacles, row: int) -> float:
-    """Return the largest speed at which a surface itself moves [m/s]; turning moves no round one."""
-    turning = turning_rate(obstacles, row) if obstacles.sweeps[row] else 0.0
-    return largest_speed(obstacles.motion, row) + turning * reach_of(obstacles, row)
+def sweeping_speed(obstacles: Obstacles, row: int, until: float = math.inf) -> float:
+    """Return the largest speed at which a surface itself moves before a time [s] [m/s].
+
+    Turning moves no round one.
+    """
+    turning = turning_rate(obstacles, row, until) if obstacles.sweeps[row] else 0.0
+    return largest_speed(obstacles.motion, row, until) + turning * reach_of(obstacles, row)
 
 
 def standing(obstacles: Obstacles) -> Obstacles:

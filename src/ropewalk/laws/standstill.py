@@ -22,9 +22,9 @@ UNSEEN = 0.9  # [1] of the longest step whose stops are passed over: none is cut
 
 
 @kernel
-def at_limit(grip, i):
-    """Tell whether friction at a node carries all that it can; `grip` (7, n)."""
-    most = grip[GRIP, i] * grip[PUSH, i]
+def at_limit(grip, i, mu):
+    """Tell whether friction at a node carries all that it can with so much of it; `grip` (7, n)."""
+    most = mu * grip[PUSH, i]
     square = grip[0, i] ** 2 + grip[1, i] ** 2 + grip[2, i] ** 2
     return most > 0.0 and math.sqrt(square) >= AT_LIMIT * most
 
@@ -62,10 +62,13 @@ def standstills(obstacles, before, after, dt, tolerance):
             ux, uy, uz = slip_at(obstacles, o, surface, before.x, before.v, i)
             speed = math.sqrt(ux * ux + uy * uy + uz * uz)
             pull = first[STIFF, i] * speed * dt  # were it to stick
-            if not at_limit(first, i) and pull <= first[GRIP, i] * first[PUSH, i]:
+            mu = first[
+                GRIP, i
+            ]  # by which the end's is cut, too; what is kept there is of its new turn
+            if not at_limit(first, i, mu) and pull <= mu * first[PUSH, i]:
                 continue
             wx, wy, wz = slip_at(obstacles, o, there, after.x, after.v, i)
-            if at_limit(last, i) and ux * wx + uy * wy + uz * wz >= 0.0:
+            if at_limit(last, i, mu) and ux * wx + uy * wy + uz * wz >= 0.0:
                 continue
             changes += 1
             if SHARE * speed * dt <= tolerance:

@@ -9,7 +9,7 @@ out.
 
 from __future__ import annotations
 
-from ropewalk.core.arrays import BENDING, TENSION_ONLY, Floats, State, System
+from ropewalk.core.arrays import TENSION_ONLY
 from ropewalk.core.band import Band, clear_band, make_band
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.bending_tangent import bending_tangent, clamp_tangent
@@ -79,16 +79,3 @@ def assemble_tangent(system, state, x, v, weight_x, weight_v, band, clamp=False)
 def law_band(nodes: int, second: bool = False) -> Band:
     """Return a band of zeros with marks for all laws; with `second` it has second off-diagonals."""
     return make_band(nodes, second, len(NODE_LAWS))
-
-
-def stiffness_and_friction(
-    system: System, state: State, x: Floats | None = None, v: Floats | None = None
-) -> tuple[Band, Band]:
-    """Return -dF/dx [N/m] and -dF/dv [N s/m] at `x` and `v`, (3, n); by default at the state's own."""
-    x, v = (state.x if x is None else x), (state.v if v is None else v)
-    found = []
-    for weights in ((1.0, 0.0), (0.0, 1.0)):
-        band = law_band(x.shape[1], second=bool(system.flags[BENDING]))
-        assemble_tangent(system, state, x, v, *weights, band)
-        found.append(band)
-    return found[0], found[1]

@@ -11,6 +11,8 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live import edits, ties
 from ropewalk.live.bodies import lead
+from ropewalk.live.carry import can_part
+from ropewalk.live.changes import label_of
 from ropewalk.live.commands import (
     Back,
     Compare,
@@ -43,6 +45,7 @@ from ropewalk.live.parameters import named, refusal
 from ropewalk.live.remedies import calm_moment, implicit_method, suggested_step
 from ropewalk.live.sources import Read, Start, from_toml, scene_of
 from ropewalk.live.track import Track
+from ropewalk.live.wound_ropes import is_wound
 from ropewalk.lowering import Layout
 from ropewalk.scene import Scene
 
@@ -63,6 +66,7 @@ def reset(session: Session, command: Reset, client: int) -> str:
         for name, value in track.changes.items():
             changed = named(name).apply(changed, value)
         made.append(Track(changed, track.label, track.changes))
+        made[-1].given = track.given
     made[0].count = session.count
     session.tracks = made
     if command.all:
@@ -195,7 +199,7 @@ def cut(session: Session, command: Cut, client: int) -> str:
     middles = [segment_of(main, track.simulation, command.segment) for track in session.tracks]
     note = ""
     for track, segment in zip(session.tracks, middles, strict=True):
-        if segment is not None:
+        if segment is not None and (track is session.main or _cuttable(track, segment)):
             done = track.restructure(partial(_cut, segment=segment))
             note = note or done
     _structured(session)
@@ -271,8 +275,9 @@ def compare(session: Session, command: Compare, client: int) -> str:
             name: named(name).checked(_auto(name, value, session))
             for name, value in variant.changes.items()
         }
-        label = variant.label or _label(changes) or f"variant {number}"
+        label = variant.label or label_of(changes) or f"variant {number}"
         made.append(session.main.clone(label, changes))
+        made[-1].given = bool(variant.label)
     session.tracks = made
     session.broken = None
     session.undo.clear()
@@ -344,10 +349,6 @@ def _auto(name: str, value: Any, session: Session) -> Any:
     return automatic_step(session.scene) if (name, value) == ("time_step", "auto") else value
 
 
-def _label(changes: dict[str, Any]) -> str:
-    return ", ".join(f"{name} = {value}" for name, value in changes.items())[:80]
-
-
 def _anchor(track: Track, name: str, *, required: bool) -> Any:
     handle = track.simulation.anchors.get(name)
     if handle is None and required:
@@ -358,6 +359,12 @@ def _anchor(track: Track, name: str, *, required: bool) -> Any:
             raise refusal("anchor", name, "has let go of its node and moves nothing")
         return None
     return handle
+
+
+def _cuttable(track: Track, segment: int) -> bool:
+    """Tell whether there is something to cut in a variant: not where its wound rope has parted, or is in."""
+    wound = is_wound(track.scene, track.simulation.layout.rope_of(segment)[0])
+    return not wound or can_part(track.simulation, segment)
 
 
 def _cut(scene: Scene, layout: Layout, segment: int) -> edits.Edit:

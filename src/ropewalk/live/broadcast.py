@@ -397,4 +397,4 @@ class Broadcast:
             session.speed,
             self.pace.load,
         )
-        return encode(head, pictures(session.tracks, self._compared))
+        return encode(head, pictures(session.tracks, self._compared, playing=self.playing))

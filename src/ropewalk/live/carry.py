@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints, State, System, assign, flatten
 from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.law import memory as found_contacts
-from ropewalk.laws.pairs.search import NOWHERE
 from ropewalk.laws.slides.sliding import memory as place_slides
 from ropewalk.laws.wound_bends import set_all_bends
+from ropewalk.live.carry_contacts import carry_contacts
+from ropewalk.live.parameters import refusal
+from ropewalk.live.wound_ropes import carry_winches
 from ropewalk.lowering import Model, build, with_all_laws
 from ropewalk.lowering.contact_checks import deepest, refuse_pressing
 from ropewalk.lowering.joint_tables import tied_with
@@ -18,35 +22,27 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
 
-# What a winch changes while it works, and the model of a scene does not know.
-_WOUND = (
-    "mass",
-    "rest_length",
-    "stiffness",
-    "damping_vector",
-    "damping_axial",
-    "winch_exit",
-    "winch_rate",
-    "winch_debt",
-    "winch_paid",
-)
 
-
-def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
+def carry_over(
+    old: Simulation, scene: Scene, source: Floats, parts: Sequence[int] = ()
+) -> Simulation:
     """Return a simulation of `scene` that goes on where `old` stands.
 
     `source` says for every node of the new scene where it was, (nodes,), fractional between two
-    nodes: place and velocity are then interpolated. Raises SceneError when the scene cannot be
-    planned.
+    nodes: place and velocity are then interpolated. `parts` are segments of `old` that part now, in a scene
+    in which any can. Raises SceneError when the scene cannot be planned, or there is nothing to part.
     """
-    model = with_all_laws(build(scene, drawn=False))
+    model = with_all_laws(build(scene, drawn=False, endless=True))
     state = model.state
     state.x[...] = _interpolated(old.arrays.x, source)
     state.v[...] = _interpolated(old.arrays.v, source)
-    _meet(model)
     if scene.winches:
-        _carry_winches(old.arrays, state)
-    gone = _carry_partings(old, state, source)
+        carry_winches(old, model)
+    _meet(model)
+    for j in parts:
+        if not can_part(old, j):
+            raise refusal("segment", j, "is on a winch's drum, or has parted: nothing is to be cut")
+    gone = _carry_partings(old, state, source, parts)
     kinds = _carry_anchors(old, model)
     if scene.winches and state.bending_stiffness.size:
         set_all_bends(model.system, state)
@@ -65,9 +61,7 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
     snapshot = made.state
     _carry_work(old, made, snapshot.state)
     _carry_memory(old, made, snapshot.state, source)
-    for here, there in gone:
-        for kept, was in zip(snapshot.state.memory.parting, old.arrays.memory.parting, strict=True):
-            kept[here] = was[there]
+    _remember_partings(old, snapshot.state, gone, parts)
     start, dt, step = old.clock
     if made.plan.dt != dt:
         start, dt, step = old.time, made.plan.dt, 0
@@ -87,6 +81,11 @@ def carry_over(old: Simulation, scene: Scene, source: Floats) -> Simulation:
         made.push({})  # forces and accelerations with what contacts hold
     made.count_errors()  # not from where the scene would begin, nor from before all work
     return made
+
+
+def can_part(simulation: Simulation, segment: int) -> bool:
+    """Tell whether a segment of a wound rope is off its drum, and has not parted."""
+    return bool(simulation.arrays.stiffness[segment] > 0.0)
 
 
 def _interpolated(values: Floats, source: Floats) -> Floats:
@@ -111,10 +110,12 @@ def _meet(model: Model) -> None:
                 values[:, nodes] = (values[:, nodes] @ share)[:, None]
 
 
-def _carry_partings(old: Simulation, new: State, source: Floats) -> list[tuple[int, int]]:
-    """Let what has parted and is still there be so; return its segments, new and old."""
+def _carry_partings(
+    old: Simulation, new: State, source: Floats, parts: Sequence[int]
+) -> list[tuple[int, int]]:
+    """Let what has parted, or does now, and is still there be so; return its segments, new and old."""
     parted, may = old.arrays.memory.parting.time, new.memory.parting.time.size > 0
-    gone = np.flatnonzero(np.isfinite(parted)) if may else ()
+    gone = [*np.flatnonzero(np.isfinite(parted)), *parts] if may else ()
     found = [
         (int(i), int(j))
         for j in gone
@@ -129,9 +130,17 @@ def _carry_partings(old: Simulation, new: State, source: Floats) -> list[tuple[i
     return found
 
 
-def _carry_winches(old: State, new: State) -> None:
-    for name in _WOUND:
-        getattr(new, name)[...] = getattr(old, name)
+def _remember_partings(
+    old: Simulation, state: State, gone: Sequence[tuple[int, int]], parts: Sequence[int]
+) -> None:
+    """Keep when and at what tension segments have parted, given as new and old ones."""
+    was, kept = old.arrays.memory.parting, state.memory.parting
+    for here, there in gone:
+        now = there in parts
+        kept.time[here] = old.time if now else was.time[there]
+        kept.tension[here] = old.tension[there] if now else was.tension[there]
+        if state.limited.size:
+            state.limited[here] = 0.0
 
 
 def _leave_off(old: Simulation, scene: Scene, off: Floats) -> None:
@@ -147,15 +156,12 @@ def _carry_anchors(old: Simulation, model: Model) -> np.ndarray[tuple[int], np.d
     before, state, system = old.arrays, model.state, model.system
     rows = {name: row for row, name in enumerate(old.layout.anchor_names)}
     kinds = system.anchors.kind.copy()
-    winds = bool(model.scene.winches)
     alive = state.mass > 0.0
     state.inverse_mass[...] = np.divide(1.0, state.mass, out=np.zeros_like(state.mass), where=alive)
     for row, name in enumerate(model.layout.anchor_names):
         node = int(state.anchor_node[row])
         if name in rows:
             was = rows[name]
-            if winds:
-                node = state.anchor_node[row] = int(before.anchor_node[was])
             state.anchor_x[row] = before.anchor_x[was]
             state.anchor_v[row] = before.anchor_v[was]
             state.held[row] = before.held[was]
@@ -208,15 +214,10 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
     if alike and old.arrays.limited.size and state.limited.size:
         here = np.flatnonzero(whole[:-1] & whole[1:] & (np.diff(source) == 1.0))
         state.limited[here] = old.arrays.limited[source[here].astype(np.int64)]
-    kept, made_now = old.arrays.memory.contact, state.memory.contact
     same = nodes.size == old.arrays.x.shape[1] and (nodes == np.arange(nodes.size)).all()
     if same and whole.all() and _slide_alike(old.system, made.system):
         assign(state.memory.slide, old.arrays.memory.slide)
-    shapes = [(one.pair.shape, one.inside.shape) for one in (kept, made_now)]
-    there = kept.pair.size > 0 and shapes[0] == shapes[1]
-    if there and same and whole.all():
-        assign(made_now, kept)
-        made_now.origin[:1, :1] = NOWHERE  # who is near is found anew: radii may have changed
+    carry_contacts(old, made, state, source)
 
 
 def _slide_alike(old: System, new: System) -> bool:

@@ -11,12 +11,14 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ropewalk.live.parameters import LONGEST_BASE, METHOD, PARAMETERS, Parameter, refusal
+from ropewalk.live.parameters import CHOICE, LONGEST_BASE, METHOD, PARAMETERS, Parameter, refusal
 from ropewalk.scene import Scene, SceneError
+from ropewalk.words.prefixes import prefixed
 
 Key = tuple[str, str | None]  # parameter, rope; None: all ropes
 _FIRST = ("segments", "length")  # others change with them
 _OF_A_PIECE = ("mass", "length", "segments")  # which half a rope has half of
+LONGEST_LABEL = 80  # letters
 _SAME = 1e-9  # relative; nearer numbers are one
 
 
@@ -73,6 +75,36 @@ def same(one: Any, other: Any) -> bool:
     if isinstance(one, numbers) and isinstance(other, numbers):
         return math.isclose(one, other, rel_tol=_SAME, abs_tol=0.0)
     return bool(one == other)
+
+
+def label_of(changes: Mapping[str, Any], of_ropes: Mapping[tuple[str, str], Any] = {}) -> str:
+    """Return what a variant differs in, in words, as "Mass 3 kg"; "" for nothing.
+
+    `of_ropes` by parameter and rope: "Mass of line 3 kg".
+    """
+    told = [_told(PARAMETERS[name], value) for name, value in changes.items()]
+    told += [_told(PARAMETERS[name], value, rope) for (name, rope), value in of_ropes.items()]
+    return ", ".join(told)[:LONGEST_LABEL]
+
+
+def _told(parameter: Parameter, value: Any, rope: str = "") -> str:
+    what = f"{parameter.label} of {rope}" if rope else parameter.label
+    if parameter.kind == CHOICE:
+        return f"{what} {value}" if rope else str(value)
+    if isinstance(value, bool):
+        return f"{what} {'yes' if value else 'no'}"
+    unit = "" if parameter.unit == "1" else parameter.unit
+    if isinstance(value, (list, tuple)):
+        return f"{what} ({', '.join(map(_plain, value))}) {unit}".rstrip()
+    if isinstance(value, (int, float)):
+        bare = not unit or unit.startswith("kg")  # k is in it already
+        return f"{what} {f'{_plain(value)} {unit}' if bare else prefixed(value, unit)}".rstrip()
+    return f"{what} {value}"
+
+
+def _plain(value: float) -> str:
+    """Return a number of four figures, whole ones of all, without a prefix or an exponent to read."""
+    return str(value) if isinstance(value, int) else f"{float(f'{value:.4g}'):.10g}"
 
 
 def origin(loaded: Scene, rope: str) -> int | None:

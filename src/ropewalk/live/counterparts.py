@@ -29,6 +29,10 @@ def segment_of(main: Simulation, other: Simulation, segment: int) -> int | None:
         return None
     there, share = found
     count = there.end - there.start
+    name, number = main.layout.rope_of(segment)
+    here = main.layout.span(name)
+    if here.end - here.start == count:  # what came off a drum is beyond the ends
+        return there.start + number
     return there.start + min(int(share * count), count - 1)
 
 

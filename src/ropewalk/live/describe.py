@@ -20,7 +20,8 @@ from ropewalk.live.session import Session
 from ropewalk.live.solids import joint_list, obstacle_list
 from ropewalk.live.sources import START
 from ropewalk.live.themes import menu, title
-from ropewalk.live.track import RIGID_FIXED, WINCH_SAFE, WITH_LINKS, Track
+from ropewalk.live.track import RIGID_FIXED, WITH_LINKS, Track
+from ropewalk.live.wound_ropes import WHILE_WOUND, WOUND_FIXED, is_wound
 from ropewalk.lowering import Layout, Span
 from ropewalk.record.margins import breaking_load
 from ropewalk.scene import Air, Rope, Scene, SceneError, Springs
@@ -105,6 +106,7 @@ def _variant(track: Track, offsets: dict[str, int], colors: dict[str, int]) -> d
         "forces": force_list(scene, where),
         "joints": joint_list(scene, where),
         **told(track.parted, gaps(track.simulation)),
+        "surfaces": list(where.surfaces),
         "offsets": offsets,
     }
 
@@ -194,8 +196,8 @@ def _parameter(session: Session, parameter: Parameter) -> dict[str, Any]:
     default = parameter.get(loaded, 0)
     low, high, scale = parameter.slider(default)
     why = ""
-    if scene.winches and parameter.group not in WINCH_SAFE:
-        why = "cannot be changed while a winch is in the scene"
+    if parameter.name in WOUND_FIXED and all(is_wound(scene, rope.name) for rope in scene.ropes):
+        why = f"cannot be changed {WHILE_WOUND}"
     elif parameter.name in RIGID_FIXED and any(rope.rigid for rope in scene.ropes):
         why = f"cannot be changed {WITH_LINKS}"
     elif parameter.name == "EA" and value is None and len(distinct) == 1:

@@ -46,6 +46,7 @@ class Edit:
     scene: Scene
     source: Floats  # (new nodes,) index of the old node, fractional between two
     note: str = ""
+    parted: tuple[int, ...] = ()  # old segments that part now and stay a gap
 
 
 class CutEnd(Load):
@@ -101,15 +102,15 @@ def matched(before: Layout, after: Layout) -> Floats:
     return np.concatenate(parts)
 
 
-def at_node(layout: Layout, index: int, path: str = "node") -> tuple[str, int]:
+def at_node(layout: Layout, index: int) -> tuple[str, int]:
     """Return rope and node number of an index of the arrays. Raises SceneError."""
     if not 0 <= index < layout.nodes:
-        raise refusal(path, index, f"must be from 0 to {layout.nodes - 1}")
+        raise refusal("node", index, f"must be from 0 to {layout.nodes - 1}")
     rope, node = layout.rope_of(index)
     span = layout.span(rope)
     if not span.start <= index <= span.end:
         rule = "is on a winch's drum, or came off it since the start: choose a point farther out"
-        raise refusal(path, index, rule)
+        raise refusal("node", index, rule)
     return rope, node
 
 
@@ -170,19 +171,21 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
 
     Springs lose the spring. Of a material half a segment stays at either end, as mass only, so that no
     mass is lost and no node's mass changes. A node that is left all alone is dropped, with its anchor.
+    A rope that a winch winds stays one: there the segment parts.
     """
     if not 0 <= segment < layout.segments:
         raise refusal("segment", segment, f"must be from 0 to {layout.segments - 1}")
-    name, first = at_node(layout, segment, "segment")
-    span = layout.span(name)
-    if segment >= span.end:
+    name = layout.rope_of(segment)[0]
+    span, wound = layout.span(name), any(winch.rope == name for winch in scene.winches)
+    if segment >= (span.last if wound else span.end):
         raise refusal("segment", segment, "lies between two ropes: there is nothing to cut")
     i = scene.rope_index(name)
     rope = scene.ropes[i]
     if any(rope.name in (slide.rope, slide.on) for slide in scene.slides):
         refuse_slides(scene, "a rope cannot be cut while something slides along it, or it slides")
-    if any(winch.rope == rope.name for winch in scene.winches):
-        raise refusal("segment", segment, "a rope that a winch winds cannot be cut")
+    if wound:  # what came off a drum since the start, too
+        return _part(scene, layout, segment)
+    first = segment - span.start
     if rope.segments == 1:
         raise refusal("segment", segment, "is the rope's only one: nothing would be left")
     if len(scene.ropes) >= MOST_ROPES:
@@ -219,6 +222,14 @@ def cut(scene: Scene, layout: Layout, segment: int) -> Edit:
         **_rubbing(scene, name, [new for *_, new in ends]),
     )
     return Edit(made, np.flatnonzero(kept).astype(np.float64), note)
+
+
+def _part(scene: Scene, layout: Layout, segment: int) -> Edit:
+    """Let a segment of a wound rope part, as its nodes are the winch's. Raises SceneError where none can."""
+    if not scene.parts:
+        rule = "a rope that a winch winds can part only in a scene with a rope that does (parts = true)"
+        raise refusal("segment", segment, rule)
+    return Edit(scene, same_nodes(layout), "its winch stands from now on", (segment,))
 
 
 def cut_all(scene: Scene, layout: Layout, segments: Sequence[int]) -> Edit:

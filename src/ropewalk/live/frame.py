@@ -13,6 +13,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.hands import MOST_GRABS, Grab
 from ropewalk.live.seen import Seen
+from ropewalk.live.touch import NO_ROOM, NOTHING, PAIR, WRAP, Room, Touch
 
 MAGIC = 0x46505752
 HEADER = struct.Struct("<IIIIddfffI")
@@ -22,7 +23,7 @@ TURNS = tuple(f"turn{number}" for number in range(16))
 SCALARS = (
     "time", "dt", "kinetic", "gravity", "elastic", "lost", "put_in", "energy_error", "tension_low",
     "tension_high", "tension_max", "strain_max", "speed_high", "low", "high", "touching",
-    "difference", "difference_max", *TURNS,
+    "difference", "difference_max", *TURNS, "rope_contacts", "rope_contact_force", "wraps", "wrap_age",
 )  # fmt: skip
 _TINY = 1e-30
 
@@ -42,24 +43,29 @@ class Places(NamedTuple):
     greatest_force: int
     anchors: int
     contact: int
+    rope_contacts: int
+    wraps: int
+    friction_work: int
     grabs: int
 
 
 @dataclass(frozen=True)
 class Shape:
-    """Sizes of one variant: nodes and anchors, and whether there are obstacles to touch."""
+    """Sizes of one variant: nodes and anchors, and what there is to touch."""
 
     nodes: int
     anchors: int
-    touches: bool
+    touch: Room = NO_ROOM
 
     def places(self, start: int) -> tuple[Places, int]:
         """Return where the parts lie from `start` on, and where the next variant begins."""
         half = 4 * ((self.nodes + 1) // 2)
         seen = (*(half,) * (len(Seen._fields) - 1), 4 * self.anchors)
         lines = (12 * self.nodes, half, half, *seen)
-        contact = 12 * self.nodes if self.touches else 0
-        sizes = (4 * len(SCALARS), *lines, 40 * self.anchors, contact, 32 * MOST_GRABS)
+        room = self.touch
+        rows = (4 * PAIR * room.pairs, 4 * WRAP * room.wraps, 4 * room.surfaces)
+        touch = (12 * self.nodes if room.forces else 0, *rows)
+        sizes = (4 * len(SCALARS), *lines, 40 * self.anchors, *touch, 32 * MOST_GRABS)
         found = [start]
         for size in sizes:
             found.append(found[-1] + size)
@@ -76,7 +82,7 @@ class Picture(NamedTuple):
     anchors: Floats  # (a, 10)
     grabs: list[Grab]
     seen: Seen  # since the last frame
-    contact: Floats | None = None  # (n, 3) [N], of what nodes touch; None where there is nothing
+    touch: Touch = NOTHING
 
 
 def turns_of(wheels: Floats) -> dict[str, float]:
@@ -118,7 +124,7 @@ def encode(head: Clockwork, pictures: list[Picture]) -> bytes:
     place = HEADER.size
     spots = []
     for picture in pictures:
-        sizes = len(picture.positions), len(picture.anchors), picture.contact is not None
+        sizes = len(picture.positions), len(picture.anchors), picture.touch.room
         spot, place = Shape(*sizes).places(place)
         spots.append(spot)
     data = bytearray(place)
@@ -138,20 +144,28 @@ def _write(data: bytearray, spot: Places, picture: Picture) -> None:
     high = max(float(seen.greatest_tension.max(initial=0.0)), low + _TINY, _TINY)
     fast = max(float(seen.greatest_speed.max(initial=0.0)), _TINY)
     bottom, top = picture.scalars["low"], picture.scalars["high"]
-    scalars = picture.scalars | {"tension_low": low, "tension_high": high, "speed_high": fast}
+    ranges = {"tension_low": low, "tension_high": high, "speed_high": fast}
+    scalars = picture.scalars | picture.touch.scalars | ranges
     _view(data, spot.scalars, len(SCALARS))[:] = [scalars.get(name, 0.0) for name in SCALARS]
     _view(data, spot.positions, 3 * n).reshape(n, 3)[:] = picture.positions
     _quantise(picture.tension, low, high, data, spot.tension)
     _quantise(picture.speed, 0.0, fast, data, spot.speed)
     _write_seen(data, spot, seen, Ranges(low, high, fast, bottom, top))
     _view(data, spot.anchors, picture.anchors.size)[:] = picture.anchors.ravel()
-    if picture.contact is not None:
-        _view(data, spot.contact, 3 * n).reshape(n, 3)[:] = np.nan_to_num(picture.contact)
+    _write_touch(data, spot, picture.touch)
     grabs = _view(data, spot.grabs, 8 * MOST_GRABS).reshape(MOST_GRABS, 8)
     grabs[:, 0] = -1.0
     for row, grab in enumerate(picture.grabs[:MOST_GRABS]):
         grabs[row, 0], grabs[row, 7] = grab.node, grab.most
         grabs[row, 1:4], grabs[row, 4:7] = grab.target, grab.force
+
+
+def _write_touch(data: bytearray, spot: Places, touch: Touch) -> None:
+    if touch.force is not None:
+        _view(data, spot.contact, touch.force.size)[:] = np.nan_to_num(touch.force).ravel()
+    _view(data, spot.rope_contacts, touch.pairs.size)[:] = touch.pairs.ravel()
+    _view(data, spot.wraps, touch.wraps.size)[:] = touch.wraps.ravel()
+    _view(data, spot.friction_work, touch.rubbed.size)[:] = touch.rubbed
 
 
 def _write_seen(data: bytearray, spot: Places, seen: Seen, ranges: Ranges) -> None:

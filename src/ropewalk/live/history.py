@@ -19,6 +19,7 @@ class Moment(NamedTuple):
     time: float  # [s]
     tracks: tuple[Saved, ...]
     session: Any  # what the session itself remembers with it
+    number: int  # in the order in which moments were kept: times may be the same, or smaller again
 
 
 class History:

@@ -138,7 +138,7 @@ class Hub:
             box.put_frame(number, frame, combine)
 
     def _tell(self, kind: str, text: str) -> None:
-        for box in self._admitted():
+        for box in self.boxes.values() if kind == "bye" else self._admitted():
             box.put_text(kind, text)
 
     def _admitted(self) -> list[Mailbox]:

@@ -80,13 +80,10 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
 
     Raises SceneError for laws and motions that the kernel does not have.
     """
+    _refuse(refused_posts(scene))
     scene, instead = _stepped(scene)
     model = started(build(scene))
-    refused = _refused(model)
-    if refused:
-        raise SceneError(
-            [Fault(path, NO_VALUE, f"the lab has no {what}") for path, what in refused]
-        )
+    _refuse(_refused(model))
     state, system, plan = model.state, model.system, model.plan
     joined = np.ones(model.layout.segments, dtype=bool)
     for span in model.layout.ropes[:-1]:
@@ -114,6 +111,12 @@ def lab_scene(scene: Scene) -> dict[str, Any]:
         "anchors": [_anchor(model, row) for row in range(len(state.held))],
         **posts_of(model),
     }
+
+
+def _refuse(found: Sequence[tuple[str, str]]) -> None:
+    """Raise SceneError for paths and what the lab does not have there, if any."""
+    if found:
+        raise SceneError([Fault(path, NO_VALUE, f"the lab has no {what}") for path, what in found])
 
 
 def _stepped(scene: Scene) -> tuple[Scene, str]:
@@ -145,7 +148,7 @@ def _refused(model: Model) -> list[tuple[str, str]]:
     """Return what of a scene the lab's kernel does not have, with its path."""
     scene, system = model.scene, model.system
     laws = [law.section for law in NODE_LAWS if section_of(law, scene)]
-    found = [(name, name) for name in laws if name != "obstacles"] + refused_posts(scene)
+    found = [(name, name) for name in laws if name != "obstacles"]
     found += [("limiter", "limiter")] if scene.limiter else []
     found += [("winch", "winches")] if scene.winches else []
     found += [("joint", "joints")] if scene.joints else []

@@ -66,6 +66,8 @@ def refused_posts(scene: Scene) -> list[tuple[str, str]]:
             found.append((f"{path}.kind", f"obstacles of the kind {body.kind!r}"))
         if body.spin is not None:
             found.append((f"{path}.spin", "obstacles that turn"))
+        if body.restitution > 0.0:
+            found.append((f"{path}.restitution", "restitution: what hits an obstacle stays there"))
         if body.motion.kind != "fixed":
             found.append((f"{path}.motion", "obstacles that move"))
         if len({body.friction_with(rope) for rope in scene.ropes}) > 1:

@@ -25,6 +25,7 @@ _VERBS = {
     "needs",
 }
 _VERBS |= {"takes", "would"}
+_OF_PARAMETERS = {"set", "compare", "scene"}  # commands whose faults may be about parameters
 _SUBJECTS = {"node": "This point", "nodes": "The two points", "type": "This command"}
 
 
@@ -59,7 +60,7 @@ def error_message(
     """Return the `error` message for what was refused, with what is allowed."""
     faults = []
     for fault in error.faults[:20] if isinstance(error, SceneError) else ():
-        known = PARAMETERS.get(fault.path)
+        known = PARAMETERS.get(fault.path) if command in _OF_PARAMETERS else None
         value = fault.value if fault.value.__class__ in (int, float, str, bool) else None
         faults.append(
             {

@@ -9,17 +9,18 @@ from typing import Any
 import numpy as np
 
 from ropewalk import __version__
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.live.frame import SCALARS, Picture
-from ropewalk.live.packing import LARGEST, Packed, pack
+from ropewalk.live.packed_touch import touch_streams
+from ropewalk.live.packing import LARGEST, Packed, pack, steps_of
 from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.lowering import Layout
 from ropewalk.record.errors import RunError
 from ropewalk.record.result import Result
 from ropewalk.words.counts import counted
 
 # Half of a step is the error: 0.95e-5 of the longest rope, or 0.095 mm where that is less.
 _OF_LENGTH, _METRES = 1.9e-5, 1.9e-4
-_LEVELS = 4000  # steps of tension, speed and force from their lowest to their highest value
 _COARSER = 8  # times, in what lies beyond a frame: the largest of all is among the scalars
 # How far what was seen since the frame before lies beyond the frame: nothing where all is calm.
 _BEYOND = (
@@ -81,7 +82,7 @@ def record(run: Path | Result, rate: float = 60.0) -> Recording:
         left_out += len(pictures) - count
         if count == 0:
             continue
-        streams = _streams(pictures[:count], step)
+        streams = _streams(pictures[:count], step, _ropes(part.result.layout))
         packed += streams
         kept.append(broadcast.times[own[:count]])
         parts.append(
@@ -147,7 +148,16 @@ def _within(pictures: list[Picture], good: int) -> list[Picture]:
     return found
 
 
-def _streams(pictures: list[Picture], step: float) -> list[Packed]:
+def _ropes(layout: Layout) -> Ints:
+    """Return the number of every node's rope, (n,)."""
+    found = np.zeros(layout.nodes, np.int64)
+    for number, span in enumerate(layout.ropes):
+        found[span.first : span.last + 1] = number
+    return found
+
+
+def _streams(pictures: list[Picture], step: float, ropes: Ints) -> list[Packed]:
+    """Pack pictures; tensions and forces by the range of each rope (n,) and anchor, places by `step` [m]."""
     rows = len(pictures)
 
     def stacked(values: Any) -> Floats:
@@ -163,26 +173,23 @@ def _streams(pictures: list[Picture], step: float) -> list[Packed]:
     }
     scalars = stacked([[one.scalars.get(name, 0.0) for name in SCALARS] for one in pictures])
     found = [pack("positions", stacked([one.positions for one in pictures]), step)]
-    found += [pack(name, values[name], _step(values[name])) for name in values]
-    if pictures[0].contact is not None:  # arrows, whose lengths need no more
-        contact = stacked([one.contact for one in pictures])
-        found.append(pack("contact", contact, _COARSER * _step(contact)))
+    held = np.arange(anchors.shape[1])
+    groups = {"tension": ropes[:-1], "speed": 0 * ropes, "velocity": np.repeat(held, 3)}
+    groups["force"] = groups["velocity"]
+    found += [pack(name, values[name], steps_of(values[name], groups[name])) for name in values]
+    found += touch_streams([one.touch for one in pictures], ropes)
     for name, where, sign in _BEYOND:
         now = np.linalg.norm(anchors[:, :, 6:9], axis=2) if name == "force" else values[name]
         seen = stacked([getattr(one.seen, where) for one in pictures])
         beyond = np.maximum(sign * (seen - now.reshape(rows, -1)), 0.0)
-        found.append(pack(where, beyond, _COARSER * max(_step(seen), _step(beyond))))
+        own = held if name == "force" else groups[name]
+        steps = np.maximum(steps_of(seen, own), steps_of(beyond, own))
+        found.append(pack(where, beyond, _COARSER * steps))
     # A hundred thousand steps each: they stand in numbers and graphs, and cost little.
     spans = np.ptp(scalars, axis=0)
     steps = np.maximum(spans, np.abs(scalars).max(axis=0) * 1e-6) * 1e-5
     found.append(pack("scalars", scalars, np.where(steps > 0.0, steps, 1.0)))
     return found
-
-
-def _step(values: Floats) -> float:
-    span = float(np.ptp(values)) if values.size else 0.0
-    largest = float(np.abs(values).max(initial=0.0))
-    return max(span, 1e-6 * largest) / _LEVELS or 1.0
 
 
 def _about(times: Floats, most: float, left_out: int, errors: dict[str, float], single: int) -> str:

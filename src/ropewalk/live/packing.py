@@ -12,10 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 
 LARGEST = 2**29  # of a multiple; second differences of it still fit in 32 bits
 _LEVEL = 9
+_STEPS = 4000  # of tension, speed and force from their lowest to their highest value
+_FINEST = 1e-4  # of the step of all columns: what is smaller beside them may be rounding
 
 
 @dataclass(frozen=True)
@@ -52,14 +54,35 @@ class Packed:
         }
 
 
-def pack(name: str, values: Floats, step: Floats | float) -> Packed:
+def step_of(values: Floats) -> float:
+    """Return the usual step for values: a small share of their range."""
+    span = float(np.ptp(values)) if values.size else 0.0
+    largest = float(np.abs(values).max(initial=0.0))
+    return max(span, 1e-6 * largest) / _STEPS or 1.0
+
+
+def steps_of(values: Floats, groups: Ints) -> Floats:
+    """Return steps of columns (c,), each group (c,) by its own range, as light ropes beside heavy ones."""
+    least = _FINEST * step_of(values)
+    found = np.full(len(groups), least)
+    for group in np.unique(groups):
+        own = groups == group
+        found[own] = max(step_of(values[:, own]), least) if values[:, own].any() else least
+    return found
+
+
+def pack(name: str, values: Floats, step: Floats | float, *, zero: bool = False) -> Packed:
     """Pack finite values (rows, columns) to within half a step (of all, or per column).
+
+    The lowest of each column is exact, or with `zero` what is zero, where zero says that nothing is there.
 
     Raises ValueError when a value is too many steps from the column's lowest.
     """
     rows, columns = values.shape
     low = values.min(axis=0) if rows else np.zeros(columns)
     steps = np.broadcast_to(np.asarray(step, float), columns)
+    if zero:
+        low = np.floor(low / steps) * steps
     multiples = np.rint((values - low) / steps)
     if multiples.size and multiples.max() > LARGEST:
         raise ValueError(f"{name}: values too far apart for their step")

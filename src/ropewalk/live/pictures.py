@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
@@ -12,16 +12,19 @@ from ropewalk.live.audience import Combine
 from ropewalk.live.counterparts import counterparts
 from ropewalk.live.frame import Picture, Shape, combined, turns_of
 from ropewalk.live.seen import Seen
+from ropewalk.live.touch import WrapLook, Wraps, room_of, touch_now
 from ropewalk.live.track import Track
 from ropewalk.lowering.elastic_tables import put_under_tension
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import Block
 
 
 class Compared:
-    """Where the nodes of every further variant lie among those of the first; kept while it holds."""
+    """Where nodes of further variants lie among those of the first, and its wraps; kept while it holds."""
 
     def __init__(self) -> None:
         self._known: dict[tuple[int, int], Floats | None] = {}
+        self.look = WrapLook()  # of the first variant
 
     def source(self, first: Simulation, other: Simulation) -> Floats | None:
         """Return places of the nodes of `other` among those of `first`; None where they are the same."""
@@ -44,27 +47,38 @@ def combiner(tracks: Sequence[Track]) -> Combine:
 def shape_of(track: Track) -> Shape:
     """Return what a track's frames hold."""
     layout = track.simulation.layout
-    return Shape(layout.nodes, len(layout.anchor_names), layout.touches)
+    touch = room_of(track.simulation.scene, layout)
+    return Shape(layout.nodes, len(layout.anchor_names), touch)
 
 
-def pictures(tracks: Sequence[Track], compared: Compared) -> list[Picture]:
-    """Return the pictures of all variants."""
-    first = picture(tracks[0])
+def pictures(
+    tracks: Sequence[Track], compared: Compared, *, playing: bool = False
+) -> list[Picture]:
+    """Return the pictures of all variants; wraps are told of the first, while it plays a little late."""
+    look = partial(compared.look.of, playing=playing)
+    first = picture(tracks[0], look=look)
     main = tracks[0].simulation
     more = [picture(track, first, compared.source(main, track.simulation)) for track in tracks[1:]]
     return [first, *more]
 
 
-def picture(track: Track, first: Picture | None = None, source: Floats | None = None) -> Picture:
+def picture(
+    track: Track,
+    first: Picture | None = None,
+    source: Floats | None = None,
+    look: Callable[[Simulation, Block], Wraps] | None = None,
+) -> Picture:
     """Return the picture of a track now.
 
     Args:
         track: what to show.
         first: the picture of the first variant, to measure the difference to.
         source: for each node of this variant, where it lies among the nodes of the first.
+        look: finds its wraps; without it none are told.
     """
     simulation = track.simulation
-    recording = simulation.recording().recording
+    block = simulation.recording()
+    recording, wraps = block.recording, look(simulation, block) if look else None
     state = simulation.arrays
     positions, speed = state.x.T, np.sqrt(np.einsum("kn,kn->n", state.v, state.v))
     live = (state.stiffness > 0.0) & (state.rest_length >= 0.0)
@@ -97,8 +111,9 @@ def picture(track: Track, first: Picture | None = None, source: Floats | None = 
     anchors = np.concatenate(
         [state.anchor_x, state.anchor_v, recording.reaction[0], held[:, None]], axis=1
     )
-    contact = recording.contact[0].T if simulation.layout.touches else None
-    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen, contact)
+    rubbed = track.rubbed.until(simulation, recording.books[0])
+    touch = touch_now(simulation, block, wraps, rubbed)
+    return Picture(scalars, positions, tension, speed, anchors, track.hands.grabs, seen, touch)
 
 
 def _largest_strain(simulation: Simulation, tension: Floats) -> float:

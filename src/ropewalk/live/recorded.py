@@ -8,17 +8,21 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import Picture, Shape, turns_of
+from ropewalk.live.recorded_touch import NAMES as TOUCHED
+from ropewalk.live.recorded_touch import RecordedTouch
 from ropewalk.live.seen import Seen
 from ropewalk.live.track import losses_and_gifts
 from ropewalk.lowering.masses import line, masses
 from ropewalk.record.beyond import until_torn
+from ropewalk.record.extremes import had_rope
 from ropewalk.record.quantities import PULLEYS
 from ropewalk.record.result import Result
 from ropewalk.scene import Material
 
 _PIECE = 64  # frames read at once
 _NAMES = ("time", "positions", "velocities", "tension", "energy", "work")
-_MORE = ("elastic_tension", "reactions", "contact_force", PULLEYS)
+_MORE = ("elastic_tension", "reactions", *TOUCHED)
+_ROPE = "had_rope"  # (frames, s) since the frame before; all where nothing parts or is wound
 _SEEN = {name: "greatest_reactions" if name == "greatest_force" else name for name in Seen._fields}
 
 
@@ -37,6 +41,7 @@ class Recorded:
         lets_go = {one.name: one.release_time for one in result.scene.anchors}
         #: When each anchor lets go [s], None: never.
         self.until = [lets_go.get(name) for name in result.layout.anchor_names]
+        self.touched = RecordedTouch(result, _PIECE)
         self._no_force = np.zeros((_PIECE, len(result.layout.anchor_names), 3))
         self._piece = -1
         self._data: dict[str, Floats] = {}
@@ -44,8 +49,8 @@ class Recorded:
     @property
     def shape(self) -> Shape:
         """What its frames hold."""
-        layout, touches = self.result.layout, "contact_force" in self.result.source.names
-        return Shape(layout.nodes, len(layout.anchor_names), touches)
+        layout = self.result.layout
+        return Shape(layout.nodes, len(layout.anchor_names), self.touched.room)
 
     @property
     def frames(self) -> int:
@@ -68,6 +73,7 @@ class Recorded:
         made = Recorded(self.result)
         made.past = self.past
         made.first_energy, made._first_gravity = self.first_energy, self._first_gravity
+        made.touched.before = self.touched.before
         return made
 
     def follow(self, before: Recorded) -> None:
@@ -81,6 +87,7 @@ class Recorded:
         self.carried_gravity = before.carried_gravity - shift
         self.carried_error = before._error(frame)
         self.first_energy += self._error(0) - self.carried_error
+        self.touched.follow(before.touched, frame)
 
     def _energy(self, frame: int) -> tuple[Floats, Floats]:
         """Return a frame's energies, and its work by laws and anchors [J]."""
@@ -127,7 +134,8 @@ class Recorded:
         anchors[:, 9] = [until is None or time < until for until in self.until]
         if "reactions" in data:
             anchors[:, 6:9] = data["reactions"][row]
-        seen = Seen.instant(tension, speed, heights, anchors[:, 6:9]).joined(
+        pull = np.full_like(tension, np.nan)  # in the frame's row, where there was rope
+        seen = Seen.instant(pull, speed, heights, anchors[:, 6:9]).joined(
             self._seen(frame, frame - 1 if after is None else after)
         )
         scalars = {
@@ -146,8 +154,8 @@ class Recorded:
             "touching": float(np.count_nonzero(heights < ground.height)) if ground else 0.0,
             **(turns_of(data[PULLEYS][row]) if PULLEYS in data else {}),
         }
-        contact = data["contact_force"][row] if "contact_force" in data else None
-        return Picture(scalars, positions, tension, speed, anchors, [], seen, contact)
+        touch = self.touched.of(data, row, frame)
+        return Picture(scalars, positions, tension, speed, anchors, [], seen, touch)
 
     def _seen(self, frame: int, after: int) -> Seen:
         """Return what was seen after frame `after`, or since it where that was recorded, until `frame`."""
@@ -160,10 +168,14 @@ class Recorded:
             found = here if found is None else found.joined(here)
             first += rows.stop - rows.start
         assert found is not None
-        return found
+        low, high = (np.where(np.isnan(pull), 0.0, pull) for pull in found[:2])
+        return found._replace(least_tension=low, greatest_tension=high)
 
     def _of_rows(self, data: dict[str, Floats], rows: slice) -> Seen:
-        """Return what some frames of a piece have seen; the frames themselves where that was not kept."""
+        """Return what some frames of a piece have seen; the frames themselves where that was not kept.
+
+        Tensions are NaN where there was no rope in any of them: zeros stand there, and count for nothing.
+        """
         if all(name in data for name in _SEEN.values()):
             values = [data[name][rows] for name in _SEEN.values()]
         else:
@@ -172,6 +184,8 @@ class Recorded:
                 speed = np.linalg.norm(data["velocities"][rows], axis=2)
                 force = np.linalg.norm(data.get("reactions", self._no_force)[rows], axis=2)
             values = list(Seen(tension, tension, speed, heights, heights, force))
+        if _ROPE in data:
+            values[:2] = [np.where(data[_ROPE][rows] > 0.0, pull, np.nan) for pull in values[:2]]
         return Seen(
             *(
                 (np.fmin if name.startswith("least") else np.fmax).reduce(value, axis=0)
@@ -191,14 +205,13 @@ class Recorded:
         anchors[:, :3] = positions[list(self.result.layout.anchor_nodes)]
         force = np.zeros((len(anchors), 3))
         seen = Seen.instant(tension, speed, positions @ self._up, force)
-        contact = None if last.contact is None else np.zeros_like(last.contact)
         return last._replace(
             positions=positions,
             tension=tension,
             speed=speed,
             anchors=anchors,
             seen=seen,
-            contact=contact,
+            touch=self.touched.none,
         )
 
     def _strain(self, tension: Floats) -> float:
@@ -223,6 +236,8 @@ class Recorded:
             if self.result.ends:  # a rope that broke lies still, and carries nothing that is known
                 still = ("velocities", "tension", "elastic_tension", "reactions")
                 found |= {name: np.nan_to_num(found[name]) for name in still if name in found}
+            if self.result.scene.parts or self.result.scene.winches:
+                found[_ROPE] = had_rope(self.result, start, stop).astype(float)
             found["work"] = np.nan_to_num(found["work"])  # NaN without a ledger
             self._data = found
             self._piece = piece

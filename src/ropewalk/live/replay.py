@@ -139,6 +139,7 @@ class ReplayBroadcast:
                     "forces": force_list(scene, result.layout),
                     "joints": joint_list(scene, result.layout),
                     **told(self._parted(part), where, later),
+                    "surfaces": list(result.layout.surfaces),
                     "offsets": places._asdict(),
                 }
             ],
@@ -158,10 +159,12 @@ class ReplayBroadcast:
         for before in range(part + 1):
             result = self.parts[before].result
             shift = float(self.times[self.first[before]] - result.time[0]) - now
-            found += [
-                located(one._replace(time=one.time + shift), result.scene)
-                for one in result.partings
-            ]
+            for one in result.partings:
+                frame = min(int(np.searchsorted(result.time, one.time)), result.good_frames - 1)
+                rest = result.read("rest_length", frame)[0]
+                there = result.layout.span(one.rope)
+                later = one._replace(time=one.time + shift)
+                found.append(located(later, result.scene, there, rest))
         return found
 
     def _break(self, part: int) -> dict[str, Any] | None:

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import count
 from typing import Any
 
 from ropewalk.core.status import BROKEN, OK
 from ropewalk.live import edits
 from ropewalk.live.actions import ACTIONS
-from ropewalk.live.changes import Key, changes_between, loaded_value, same
+from ropewalk.live.changes import Key, changes_between, label_of, loaded_value, same
 from ropewalk.live.commands import PHYSICAL, Command, Knot
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import Parameter, initial, named, refusal
@@ -43,6 +44,7 @@ class Session:
         self.on_command: Callable[[int, int, Command], None] = lambda count, client, command: None
         self.on_break: Callable[[int, int], None] = lambda count, variant: None
         self.on_frame: Callable[[Session], None] = lambda session: None
+        self._numbers = count()  # of the moments of history and undo together
         self.history = History()
         self.undo = Undo()
         self.revision = 0  # counts all that a page must be told of
@@ -179,13 +181,13 @@ class Session:
     def _moment(self) -> Moment:
         saved = tuple(track.save() for track in self.tracks)
         about = (self.loaded, self.preset, dict(self.changes), list(self.tracks))
-        return Moment(self.time, saved, about)
+        return Moment(self.time, saved, about, next(self._numbers))
 
     def go_back(self, moment: Moment) -> None:
         """Go back to a moment of the history. Hands let go."""
         self._put(moment)
         self.history.forget_after(moment)
-        self.undo.forget_after(moment.time)
+        self.undo.forget_after(moment)
 
     def undo_last(self) -> bool:
         """Go to just before what was done last; tell whether there was anything. Hands let go."""
@@ -273,9 +275,7 @@ class Session:
                 if variant is None:
                     track.keep_changes(before)
                 elif number > 0:
-                    track.changes.pop(name, None)
-                    if rope is None and all(same(its, wanted[0][1]) for _, its in wanted):
-                        track.changes[name] = _resolved(name, wanted[0][1], track.scene)
+                    _note(track, parameter, wanted, f"variant {number}")
                 if track.scene is not before:
                     self.changed()
         known = rope is None or rope in [one.name for one in self.loaded.ropes]
@@ -306,6 +306,20 @@ def _wanted(
         return [(rope, parameter.get(loaded, 0))]
     names = [scene.ropes[i].name for i in parameter.ropes(scene, rope)]
     return [(name, loaded_value(parameter, loaded, name)) for name in names]
+
+
+def _note(
+    track: Track, parameter: Parameter, wanted: list[tuple[str | None, Any]], called: str
+) -> None:
+    """Note what was changed in one copy alone, `called` so by its number; a label given by hand stays."""
+    name, names = parameter.name, {one.name for one in track.scene.ropes}
+    ropes = {one: its for one, its in wanted if one is not None and parameter.per_rope}
+    track.changes.pop(name, None)
+    if set(ropes) in (set(), names) and all(same(its, wanted[0][1]) for _, its in wanted):
+        track.changes[name], ropes = _resolved(name, wanted[0][1], track.scene), {}
+    if not track.given:
+        told = {(name, one): its for one, its in ropes.items()}
+        track.label = label_of(track.changes, told) or called
 
 
 def _resolved(name: str, value: Any, scene: Scene) -> Any:

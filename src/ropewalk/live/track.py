@@ -12,16 +12,19 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
+from ropewalk.laws.ledger import wound_energy
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
 from ropewalk.live.changes import same
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
-from ropewalk.live.gaps import Parted, gaps, located
+from ropewalk.live.gaps import Parted, gaps, located, unknown
 from ropewalk.live.hands import CONTROL, Hands, held_around
-from ropewalk.live.parameters import AIR, GROUND, METHOD, WORLD, named, refusal
+from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
+from ropewalk.live.touch import Rubbed
+from ropewalk.live.wound_ropes import WHILE_WOUND, WOUND_FIXED, is_wound
 from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.methods.partings import time_of_news
@@ -33,13 +36,13 @@ from ropewalk.simulation.block import Block
 from ropewalk.statics import NoRest
 
 LOSSES = ("friction", *(law.name for law in NODE_LAWS))
-# What may be changed while a winch works: it changes tables that all else is made of.
-WINCH_SAFE = {WORLD, AIR, GROUND, METHOD}
 # What would break the lengths of rigid links, or what they do not have.
 RIGID_FIXED = {"spring_constant", "EA", "length", "segments", "tension_only"}
 # Names of one and the same number.
 ALIKE = ({"spring_constant", "EA"}, {"time_step", "steps_per_frame"})
 WITH_LINKS = "while a rope of rigid links is in the scene"
+
+on_drums = getattr(wound_energy, "py_func", wound_energy)  # a few numbers: not worth compiling
 
 
 class Saved(NamedTuple):
@@ -53,7 +56,10 @@ class Saved(NamedTuple):
     first_energy: float
     edited: float
     first_gravity: float
+    rubbed: Rubbed
     seen: tuple[Peaks | None, Peaks | None]  # by `shown` and `recorded`
+    label: str
+    changes: dict[str, Any]
 
 
 class Track:
@@ -65,7 +71,7 @@ class Track:
         Raises SceneError when it cannot be planned, or starts at rest and no rest is found.
         """
         try:
-            simulation = Simulation(with_all_laws(build(scene)))
+            simulation = Simulation(with_all_laws(build(scene, endless=True)))
         except NoRest as error:
             raise SceneError([Fault("run.start", scene.run.start, str(error))]) from None
         self._begin(simulation, label, changes or {})
@@ -79,18 +85,18 @@ class Track:
 
     def _begin(self, simulation: Simulation, label: str, changes: Mapping[str, Any]) -> None:
         scene = simulation.scene
-        self.label, self.changes = label, dict(changes)
+        self.label, self.changes, self.given = label, dict(changes), False  # label given by hand
         self.shown, self.recorded = Interval(), Interval()  # since the last frame shown, recorded
         self._recorded_at = simulation.time
         self._watch(simulation)
         self.scene = edits.neutral(planned(scene, self.simulation.plan))
         self.hands = Hands()
         self.ear: Ear | None = None
-        self.count = 0  # steps done
-        self.edited = 0.0  # energy put in by changes [J]
+        self.count, self.edited = 0, 0.0  # steps done, energy put in by changes [J]
         self.parted: tuple[Parted, ...] = ()  # what has parted until now
         self.first_energy = self.energy
         self.first_gravity = float(simulation.recording().recording.energy[0, 1])  # [J]
+        self.rubbed = Rubbed(simulation)
         self.begun = self.save()  # when the present simulation began
 
     def _watch(self, simulation: Simulation) -> None:
@@ -104,10 +110,15 @@ class Track:
         return float(self.simulation.recording().recording.energy[0].sum())
 
     def _gravity_zero(self) -> float:
-        """Energy of gravity as it is counted, less that over the origin [J]."""
+        """Energy of gravity as it is counted, less that over the origin [J], what is on drums left out."""
         state, system = self.simulation.arrays, self.simulation.system
-        counted = float(self.simulation.recording().recording.energy[0, 1])
+        counted = float(self.simulation.recording().recording.energy[0, 1]) - self._on_drums
         return counted + float((state.mass * (system.gravity @ state.x)).sum())
+
+    @property
+    def _on_drums(self) -> float:
+        """Energy of what has gone on to drums [J], which is a part of the winches' work as well."""
+        return float(on_drums(self.simulation.system, self.simulation.arrays))
 
     @property
     def dt(self) -> float:
@@ -162,9 +173,10 @@ class Track:
 
     def edit(self, change: Edit) -> None:
         """Go over into another scene without a jump. Raises SceneError."""
-        before, zero = self.energy, self._gravity_zero()
-        made = carry_over(self.simulation, change.scene, change.source)
+        before, zero = self.energy - self._on_drums, self._gravity_zero()
+        made = carry_over(self.simulation, change.scene, change.source, change.parted)
         self.hands.renumber(change.source)
+        self.rubbed = self.rubbed.gone_over(self.simulation, made)
         self._watch(made)
         self.scene = change.scene
         self.hands.targets = {
@@ -173,14 +185,15 @@ class Track:
         shift = self._gravity_zero() - zero  # gravity counts from the ropes' drawn shapes
         self.first_energy += shift
         self.first_gravity += shift
-        self.edited += self.energy - before - shift
+        self.edited += self.energy - self._on_drums - before - shift
         self.begun = self.save()
 
     def set(self, name: str, value: Any, rope: str | None = None) -> None:
         """Change a parameter. Raises SceneError with the allowed range."""
         parameter = named(name)
-        if self.scene.winches and parameter.group not in WINCH_SAFE:
-            raise refusal(name, value, "cannot be changed while a winch is in the scene")
+        ropes = [self.scene.ropes[i].name for i in parameter.ropes(self.scene, rope)]
+        if name in WOUND_FIXED and any(is_wound(self.scene, one) for one in ropes):
+            raise refusal(name, value, f"cannot be changed {WHILE_WOUND}")
         if name in RIGID_FIXED and any(one.rigid for one in self.scene.ropes):
             raise refusal(name, value, f"cannot be changed {WITH_LINKS}")
         if name == "time_step" and value == "auto":
@@ -221,8 +234,6 @@ class Track:
     def restructure(self, make: Callable[[Scene, Any], Edit]) -> str:
         """Pin, cut or load: `make` takes scene and layout. Return a note. Raises SceneError."""
         change = make(self.scene, self.simulation.layout)
-        if self.scene.winches and len(change.source) != self.simulation.layout.nodes:
-            raise refusal("segment", "", "ropes with a winch cannot be cut there")
         self.edit(change)
         return change.note
 
@@ -230,24 +241,21 @@ class Track:
         """Note what has parted since the last look; tell whether there was anything."""
         if not self.scene.parts:
             return False
-        known = {(one.time, one.tension) for one, *_ in self.parted}
-        new = [
-            located(one, self.scene)
-            for one in gaps(self.simulation).values()
-            if (one.time, one.tension) not in known
-        ]
+        found = unknown(gaps(self.simulation).values(), self.parted)
+        layout, rest = self.simulation.layout, self.simulation.arrays.rest_length
+        new = [located(one, self.scene, layout.span(one.rope), rest) for one in found]
         self.parted = (*self.parted, *sorted(new))
         return bool(new)
 
     def tear(self) -> bool:
         """Make two ropes of every one that has parted since; tell whether there was any.
 
-        Where a rope cannot be cut in two, as on a winch, what has parted stays a gap in it.
+        Where a rope cannot be cut in two, as one that a winch winds, what has parted stays a gap in it.
         """
         if not self.scene.parts:
             return False
         known = [j for j in self._parted() if self._is_old_news(j)]
-        if not known or self.scene.winches:
+        if not known:
             return False
         change = edits.cut_all(self.scene, self.simulation.layout, known)
         if change.scene is self.scene:
@@ -327,12 +335,16 @@ class Track:
             self.first_energy,
             self.edited,
             self.first_gravity,
+            self.rubbed,
             (self.shown.kept, self.recorded.kept),
+            self.label,
+            dict(self.changes),
         )
 
     def restore(self, saved: Saved, *, undo: bool = False) -> None:
         """Go back to what was saved. Steps are counted on, unless these are to be as if not done."""
         self.scene = saved.scene
+        self.label, self.changes = saved.label, dict(saved.changes)
         self._watch(saved.simulation)
         self.simulation.restore(saved.snapshot)
         self.hands = saved.hands.copy()
@@ -345,9 +357,11 @@ class Track:
             self.recorded.begin()
             self._recorded_at = self.simulation.time
         self.first_energy, self.edited = saved.first_energy, saved.edited
-        self.first_gravity = saved.first_gravity
-        now = self.simulation.time
-        self.parted = tuple(one for one in self.parted if one.parting.time <= now)
+        self.first_gravity, self.rubbed = saved.first_gravity, saved.rubbed
+        now, there = self.simulation.time, set(gaps(self.simulation).values())
+        self.parted = tuple(  # one that was cut now may be undone now
+            one for one in self.parted if one.parting.time < now or one.parting in there
+        )
 
     def clone(self, label: str, changes: Mapping[str, Any]) -> Track:
         """Return a second track that stands where this one stands, with some parameters changed.
@@ -358,9 +372,9 @@ class Track:
         made.label, made.changes, made.ear = label, dict(changes), None
         made.hands = self.hands.copy()
         made.hands.fresh = True
-        layout = self.simulation.layout
-        made.shown, made.recorded = Interval(), Interval()
-        made._watch(carry_over(self.simulation, self.scene, edits.same_nodes(layout)))
+        made.shown, made.recorded, old = Interval(), Interval(), self.simulation
+        made._watch(carry_over(old, self.scene, edits.same_nodes(old.layout)))
+        made.rubbed = self.rubbed.gone_over(old, made.simulation)
         for name, value in changes.items():
             made.set(name, value)
         return made
@@ -383,4 +397,4 @@ def planned(scene: Scene, plan: Plan) -> Scene:
 def automatic_step(scene: Scene) -> float:
     """Return the step that "auto" means for a scene now [s]. Raises SceneError."""
     run = scene.run.replace(time_step="auto", steps="divide")
-    return build(scene.replace(run=run)).plan.dt
+    return build(scene.replace(run=run), endless=True).plan.dt

@@ -42,9 +42,9 @@ class Undo:
         self._kinds.pop()
         return self._moments.pop()
 
-    def forget_after(self, time: float) -> None:
-        """Forget what was done after a time [s], which has been gone back to."""
-        while self._kinds and self._moments.newest_first()[0].time > time:
+    def forget_after(self, moment: Moment) -> None:
+        """Forget what was done after a moment, which has been gone back to."""
+        while self._kinds and self._moments.newest_first()[0].number > moment.number:
             self.take()
 
     def clear(self) -> None:

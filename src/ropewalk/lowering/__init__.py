@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 
 from ropewalk.core.arrays import State, System
@@ -34,11 +35,14 @@ class Model:
     )
 
 
-def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> Model:
+def build(
+    scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True, endless: bool = False
+) -> Model:
     """Build a scene. Raises SceneError when it cannot be planned, TypeError for what is no scene.
 
     `pieces` of earlier builds save those that are the same again; the model has the same bits. With `drawn`
-    off the ropes get other places than their shapes say, so that joints need not fit those.
+    off the ropes get other places than their shapes say, so that joints need not fit those. An `endless`
+    simulation goes on after the run's duration: steps suit what moves then, too.
     """
     if not isinstance(scene, Scene):
         raise TypeError(f"{scene!r} is no scene; rw.preset(name) and rw.load(path) give one")
@@ -49,8 +53,9 @@ def build(scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True) -> 
     refuse_obstacles(scene, system, state, layout, drawn=drawn)
     refuse_contact(scene, system, state, layout, drawn=drawn)
     refuse_segments(scene)
-    plan = make_plan(scene, system, state)
-    refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest)
+    until = math.inf if endless else scene.run.duration
+    plan = make_plan(scene, system, state, until)
+    refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest, until)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)
 

@@ -20,8 +20,8 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.methods.bound import Chain, highest_frequency
+from ropewalk.methods.explicit_methods import RUNGE_KUTTA
 from ropewalk.methods.registry import METHODS
-from ropewalk.methods.runge_kutta import EULER, HEUN, RK4
 
 TENFOLD = 10.0  # [1] of energy
 _PLACES = 32
@@ -90,7 +90,7 @@ def _gains(method: str, ratio: float) -> Floats:
     """
     y = np.repeat(_GRID[:, None] * _SLOWER, _PLACES, axis=1).ravel()
     slower = np.tile(np.repeat(_SLOWER, _PLACES), _GRID.size)
-    back = _returned(_stepper(method), y, ratio * slower)
+    back = _returned(_STEPS[method], y, ratio * slower)
     shape = _GRID.size, _SLOWER.size, _PLACES
     mean = np.log(np.maximum(back.reshape(shape).mean(axis=2), 1e-300))
     mean[np.abs(mean) < _STEPWISE] = 0.0
@@ -118,13 +118,6 @@ def _returned(step: Step, y: Floats, ratio: Floats) -> Floats:
 def _pull(x: Floats, v: Floats, ratio: Floats) -> Floats:
     """Return the acceleration of a mass on a spring of frequency 1 that pulls, but does not push."""
     return np.asarray(np.where(x > 0.0, -x - 2.0 * ratio * v, 0.0))
-
-
-def _stepper(method: str) -> Step:
-    tables = {"euler": EULER, "heun": HEUN, "rk4": RK4}
-    if method in tables:
-        return _runge_kutta(tables[method])
-    return _verlet if method == "verlet" else _semi_implicit_euler
 
 
 def _semi_implicit_euler(
@@ -155,3 +148,10 @@ def _runge_kutta(table: Floats) -> Step:
         return x + y * dx, v + y * dv, kept
 
     return step
+
+
+_STEPS: dict[str, Step] = {
+    "semi-implicit-euler": _semi_implicit_euler,
+    "verlet": _verlet,
+    **{method.name: _runge_kutta(method.table) for method in RUNGE_KUTTA},
+}

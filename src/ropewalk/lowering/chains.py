@@ -183,8 +183,10 @@ def _bent(chain: Chain, system: System, state: State, lengths: Floats, exits: In
     return chain._replace(bending=bending, damping_bending=rubbing)
 
 
-def speed_scale(system: System, state: State, *, drums: bool = True) -> float:
-    """Return the speed of what a scene sets going [m/s].
+def speed_scale(
+    system: System, state: State, until: float = math.inf, *, drums: bool = True
+) -> float:
+    """Return the speed of what a scene sets going before a time [s] [m/s].
 
     The fastest of: initial velocities against the wind, anchors and obstacles, and a fall through the rope's
     length, with what waits on its drums if they count.
@@ -197,7 +199,7 @@ def speed_scale(system: System, state: State, *, drums: bool = True) -> float:
         pull += float(whole)
     length = float(state.rest_length.sum()) + (_on_drums(system, state) if drums else 0.0)
     fall = math.sqrt(2.0 * pull * length)
-    moved = driven_speed(system)
+    moved = driven_speed(system, until)
     return max(start, fall + float(np.linalg.norm(wind)), moved + float(np.linalg.norm(wind)))
 
 
@@ -223,16 +225,16 @@ def recoil(state: State) -> float:
     return float((2.0 * stretched * np.sqrt(soft * lightest)).max(initial=0.0))
 
 
-def fastest(system: System, state: State) -> float:
-    """Return the largest speed to reckon with, `recoil` included, against the wind [m/s]."""
+def fastest(system: System, state: State, until: float = math.inf) -> float:
+    """Return the largest speed to reckon with before a time [s], with `recoil`, against the wind [m/s]."""
     wind = float(np.linalg.norm(flow(system)))
     back = max(recoil(state), recoil_of_releases(system, state))
-    return max(speed_scale(system, state), back + wind)
+    return max(speed_scale(system, state, until), back + wind)
 
 
-def driven_speed(system: System) -> float:
-    """Return the largest speed of what moves by itself, anchors and obstacles [m/s]."""
+def driven_speed(system: System, until: float = math.inf) -> float:
+    """Return the largest speed of what moves by itself before a time [s], anchors and obstacles [m/s]."""
     table = system.node.obstacle
-    anchors = (largest_speed(system.anchors, row) for row in range(len(system.anchors.kind)))
-    bodies = (surface_speed(table, row) for row in range(len(table.kind)))
+    anchors = (largest_speed(system.anchors, row, until) for row in range(len(system.anchors.kind)))
+    bodies = (surface_speed(table, row, until) for row in range(len(table.kind)))
     return max((*anchors, *bodies), default=0.0)

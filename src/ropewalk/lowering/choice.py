@@ -36,22 +36,28 @@ class Candidate(NamedTuple):
     cost: float  # force evaluations per simulated second [1/s]
 
 
-def choose(scene: Scene, system: System, state: State, most: float) -> list[Candidate]:
+def choose(
+    scene: Scene, system: System, state: State, most: float, until: float = math.inf
+) -> list[Candidate]:
     """Return the candidates, the cheapest first; no step is longer than `most` [s].
+
+    Their steps suit what moves before the time `until` [s].
 
     Raises SceneError when none has a stable step.
     """
-    found = candidates(scene, system, state, most)
+    found = candidates(scene, system, state, most, until)
     if not found:
         rule = "finds no method with a stable step here; give a method and a step yourself"
         raise SceneError([Fault("run.method", "auto", rule)])
     return sorted(found, key=lambda one: one.cost)
 
 
-def candidates(scene: Scene, system: System, state: State, most: float) -> list[Candidate]:
+def candidates(
+    scene: Scene, system: System, state: State, most: float, until: float = math.inf
+) -> list[Candidate]:
     """Return every method that can run the scene, at its longest step; none longer than `most` [s]."""
     run = scene.run
-    cases = step_cases(system, state, run.duration)
+    cases = step_cases(system, state, run.duration, until)
     found = []
     for name in ERROR:
         method = METHODS[name]
@@ -59,10 +65,11 @@ def candidates(scene: Scene, system: System, state: State, most: float) -> list[
             continue
         if not bounds_stretch(scene, name):
             continue
-        if uncovered(system, state, name, run.duration):
+        if uncovered(system, state, name, run.duration, until):
             continue
         bound = run.auto_fraction * min(cases.largest(name).values())
-        step = min(bound, accurate_step(name, scene, system, state), run.frame_interval, most)
+        accurate = accurate_step(name, scene, system, state, until)
+        step = min(bound, accurate, run.frame_interval, most)
         if step > 0.0:
             twice = 2.0 if name == "verlet" and (scene.limiter or scene.winches) else 1.0
             found.append(Candidate(name, step, bound, twice * method.cost / step))
@@ -78,10 +85,12 @@ def bounds_stretch(scene: Scene, method: str) -> bool:
     return scene.limiter is None or made.holds_links or not made.implicit
 
 
-def accurate_step(name: str, scene: Scene, system: System, state: State) -> float:
+def accurate_step(
+    name: str, scene: Scene, system: System, state: State, until: float = math.inf
+) -> float:
     """Return the step at which a method errs by about the aim [s]."""
     length = max(rope.length_unstretched for rope in scene.ropes)
-    speed = speed_scale(system, state, drums=False)  # of what is out, as the length is
+    speed = speed_scale(system, state, until, drums=False)  # of what is out, as the length is
     rate = max(speed / length if length > 0.0 else 0.0, fastest_turn(system.anchors))
     if rate == 0.0:
         return math.inf

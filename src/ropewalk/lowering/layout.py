@@ -6,6 +6,7 @@ import math
 from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
+from hashlib import sha256
 from operator import index
 
 from ropewalk.laws.acting import section_of
@@ -74,6 +75,12 @@ class Layout:
     def touches(self) -> bool:
         """Whether ropes can touch anything whose force is recorded: obstacles, or each other."""
         return bool(self.surfaces)
+
+    @cached_property
+    def mark(self) -> str:
+        """What tells it from other layouts, whatever their names: nodes of ropes, spare, held and tied."""
+        ropes = [(span.nodes, span.spare_start, span.spare_end) for span in self.ropes]
+        return sha256(repr((ropes, self.anchor_nodes, self.tied_nodes)).encode()).hexdigest()[:16]
 
     @cached_property
     def _by_name(self) -> dict[str | None, Span]:

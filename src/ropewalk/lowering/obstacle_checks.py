@@ -16,6 +16,7 @@ from ropewalk.laws.obstacle_places import depths, drawn_places, moves, sweeping_
 from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.obstacle_way import LONG, leads_out, lies_across
 from ropewalk.lowering.layout import Layout
+from ropewalk.lowering.rebound_checks import rebound_faults
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
@@ -57,6 +58,7 @@ def refuse_obstacles(
             f"them; methods that can: {able}"
         )
         faults.append(Fault("run.method", scene.run.method, rule))
+    faults += rebound_faults(scene, system, state)
     faults += _sharp(scene, system)
     faults += _buried(scene, system, state, layout) if drawn else []
     faults += [] if faults or not drawn else _speared(scene, system, state, layout)
@@ -78,30 +80,33 @@ def _sharp(scene: Scene, system: System) -> list[Fault]:
     ]
 
 
-def step_past_nodes(scene: Scene, system: System) -> float:
-    """Return an automatic step in which no obstacle moves past nodes, or turns far [s]; inf: none moves."""
+def step_past_nodes(scene: Scene, system: System, until: float) -> float:
+    """Return an automatic step in which no obstacle moves past nodes, or turns far [s]; inf: none moves.
+
+    Before the time `until` [s], here and below: what moves after the run is of no matter.
+    """
     found = (
         0.9 * thin_along(system, row, body, _ways(body))[0] / speed
-        for row, (body, speed) in enumerate(_speeds(scene, system))
+        for row, (body, speed) in enumerate(_speeds(scene, system, until))
         if speed > 0.0
     )
-    rates = (turned_rate(system, row, body) for row, body in enumerate(scene.obstacles))
+    rates = (turned_rate(system, row, body, until) for row, body in enumerate(scene.obstacles))
     turns = (_FAR / rate for rate in rates if rate > 0.0)
     return min(*found, *turns, math.inf, math.inf)
 
 
-def turned_rate(system: System, row: int, body: Obstacle) -> float:
+def turned_rate(system: System, row: int, body: Obstacle, until: float = math.inf) -> float:
     """Return the largest rate at which an obstacle is turned [rad/s]; of a free one that at the start."""
     table: Obstacles = system.node.obstacle
     if is_free(body):
         return abs(float(table.rate[table.wheel[row]]))
-    return float(turning_rate(table, row))
+    return float(turning_rate(table, row, until))
 
 
-def _speeds(scene: Scene, system: System) -> list[tuple[Obstacle, float]]:
+def _speeds(scene: Scene, system: System, until: float) -> list[tuple[Obstacle, float]]:
     """Return every obstacle with the largest speed at which its surface leaves its place [m/s]."""
     table: Obstacles = system.node.obstacle
-    return [(body, sweeping_speed(table, row)) for row, body in enumerate(scene.obstacles)]
+    return [(body, sweeping_speed(table, row, until)) for row, body in enumerate(scene.obstacles)]
 
 
 def longest_kept_out(body: Obstacle, rope: Rope) -> float:
@@ -150,10 +155,10 @@ def _ways(body: Obstacle) -> ArrayLike | None:
     return None
 
 
-def refuse_fast(scene: Scene, system: System, step: float) -> None:
+def refuse_fast(scene: Scene, system: System, step: float, until: float) -> None:
     """Raise SceneError for obstacles that move past nodes, or turn by more than half, within a step [s]."""
     faults = []
-    for row, (body, speed) in enumerate(_speeds(scene, system)):
+    for row, (body, speed) in enumerate(_speeds(scene, system, until)):
         radius, measure = thin_along(system, row, body, _ways(body))
         if speed * step > radius:
             rule = (
@@ -164,7 +169,7 @@ def refuse_fast(scene: Scene, system: System, step: float) -> None:
             )
             which = "motion" if moves(system.node.obstacle, row) else "spin"
             faults.append(Fault(f"obstacle[{row}].{which}", f"up to {speed:.4g} m/s", rule))
-        rate = turned_rate(system, row, body)
+        rate = turned_rate(system, row, body, until)
         if rate * step > math.pi:
             rule = (
                 f"is {math.degrees(rate * step):.4g} degrees in a step of {1e3 * step:.4g} ms: friction "

@@ -59,8 +59,8 @@ class Plan:
         return self.steps * self.dt
 
 
-def make_plan(scene: Scene, system: System, state: State) -> Plan:
-    """Return the plan of a scene's run.
+def make_plan(scene: Scene, system: System, state: State, until: float) -> Plan:
+    """Return the plan of a scene's run, whose steps suit what moves before the time `until` [s].
 
     Raises SceneError when "auto" finds no stable step, a method cannot work with a stretch limiter, or
     the plan has more than 2^53 steps.
@@ -68,17 +68,17 @@ def make_plan(scene: Scene, system: System, state: State) -> Plan:
     run = scene.run
     refuse_limiter(scene)
     if run.method == "adaptive":
-        return _adaptive_plan(scene, system)
+        return _adaptive_plan(scene, system, until)
     method: str = run.method
     found: list[Candidate] = []
     if method == "auto":
         given = math.inf if run.time_step == "auto" else run.time_step
-        most = min(given, _winch_step(system), step_past_nodes(scene, system))
-        found = choose(scene, system, state, most)
+        most = min(given, _winch_step(system), step_past_nodes(scene, system, until))
+        found = choose(scene, system, state, most, until)
         method, step = found[0].method, found[0].step
     elif run.time_step == "auto":
-        most = min(_winch_step(system), step_past_nodes(scene, system))
-        step = min(auto_step(run, system, state), most)
+        most = min(_winch_step(system), step_past_nodes(scene, system, until))
+        step = min(auto_step(run, system, state, until), most)
     else:
         step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
@@ -110,11 +110,11 @@ def refuse_limiter(scene: Scene) -> None:
     raise SceneError([Fault("run.method", name, rule)])
 
 
-def _adaptive_plan(scene: Scene, system: System) -> Plan:
+def _adaptive_plan(scene: Scene, system: System, until: float) -> Plan:
     """Return the plan of a run that chooses its own steps, one "step" a frame."""
     run = scene.run
     frames = max(1, round(run.duration / run.frame_interval))
-    automatic = min(LONGEST_STEP, step_past_nodes(scene, system))
+    automatic = min(LONGEST_STEP, step_past_nodes(scene, system, until))
     longest = automatic if run.time_step == "auto" else run.time_step
     return Plan(run.method, run.frame_interval, 1, frames, run.tolerance, longest)
 
@@ -128,16 +128,19 @@ def _winch_step(system: System) -> float:
         return float((WINCH_SHARE * winches.segment / np.abs(winches.speed)).min())
 
 
-def auto_step(run: RunSettings, system: System, state: State) -> float:
-    """Return the stated fraction of the largest stable step, at most one frame [s]."""
-    bound = predicted_step(system, state, run.method, run.duration)
+def auto_step(run: RunSettings, system: System, state: State, until: float = math.inf) -> float:
+    """Return the stated fraction of the largest stable step, at most one frame [s].
+
+    Of what moves by itself only that before the time `until` [s] counts.
+    """
+    bound = predicted_step(system, state, run.method, run.duration, until)
     if bound <= 0.0:
         rule = (
             f"no step of {run.method} is stable here: nothing damps some of the motion; "
             "take semi-implicit-euler, verlet or rk4, or give a step yourself"
         )
         raise SceneError([Fault("run.time_step", "auto", rule)])
-    share = BEYOND if uncovered(system, state, run.method, run.duration) else 1.0
+    share = BEYOND if uncovered(system, state, run.method, run.duration, until) else 1.0
     return min(share * run.auto_fraction * bound, run.frame_interval)
 
 

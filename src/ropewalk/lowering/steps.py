@@ -37,6 +37,7 @@ from ropewalk.lowering.chains import (
 from ropewalk.lowering.elastic_tables import softest
 from ropewalk.methods.bound import Chain, largest_step
 from ropewalk.methods.registry import METHODS
+from ropewalk.methods.stability_function import STABILITY
 from ropewalk.motions.rows import fastest_turn
 
 #: Methods that keep the energy of springs, and have no friction of their own.
@@ -45,9 +46,6 @@ KEEPING = ("semi-implicit-euler", "verlet")
 _MACH = 0.5
 _FREE = 1e3  # [1] springs this slow do not change the motion
 BEYOND = 0.5
-#: Largest stable step of a method times a rate of decay [1]; others take relaxation as it is.
-_LARGEST_DECAY = {"euler": 2.0, "heun": 2.0, "rk4": 2.785}
-
 
 _known: dict[bytes, float] = {}  # largest steps [s]: runs of a sweep often have the same chains
 _MOST_KNOWN = 4096
@@ -89,9 +87,12 @@ class Cases(NamedTuple):
         return found
 
     def decays(self, method: str) -> float:
-        """Return the largest step of a method that relaxation alone allows [s]; 0: it is of no matter."""
-        if method in _LARGEST_DECAY and math.isfinite(self.relaxation):
-            return _LARGEST_DECAY[method] * self.relaxation
+        """Return the largest step of a method that relaxation alone allows [s].
+
+        0: it is of no matter, as in all but the explicit Runge-Kutta methods, which take it as a rate.
+        """
+        if method in STABILITY and math.isfinite(self.relaxation):
+            return STABILITY[method].longest_decay * self.relaxation
         return 0.0
 
     def bounces_hold(self, method: str, dt: float, factor: float) -> bool:
@@ -103,9 +104,12 @@ class Cases(NamedTuple):
         )
 
 
-def step_cases(system: System, state: State, duration: float) -> Cases:
-    """Return the cases of a run of so many seconds; 0 s leaves out what adds up over a run."""
-    free = free_chains(system, state, fastest(system, state))
+def step_cases(system: System, state: State, duration: float, until: float = math.inf) -> Cases:
+    """Return the cases of a run of so many seconds; 0 s leaves out what adds up over a run.
+
+    What moves by itself counts before the time `until` [s], here and below.
+    """
+    free = free_chains(system, state, fastest(system, state, until))
     one_way = system.slack_floor == 0.0
     bounces = {}
     if one_way.any() and duration > 0.0:
@@ -123,17 +127,19 @@ def step_cases(system: System, state: State, duration: float) -> Cases:
     return Cases(with_cases(system, free), bounces, duration, relaxation)
 
 
-def predicted_step(system: System, state: State, method: str, duration: float = 0.0) -> float:
+def predicted_step(
+    system: System, state: State, method: str, duration: float = 0.0, until: float = math.inf
+) -> float:
     """Return the largest stable step of `method` in a run of `duration` [s], over all cases [s].
 
     Rigid links have no frequency: methods that hold them have no largest step, and no other is run.
     """
     if np.isinf(state.stiffness).any():
         return math.inf
-    return min(step_cases(system, state, duration).largest(method).values())
+    return min(step_cases(system, state, duration, until).largest(method).values())
 
 
-def is_pressed(system: System, state: State, duration: float) -> bool:
+def is_pressed(system: System, state: State, duration: float, until: float = math.inf) -> bool:
     """Tell whether a two-way spring may be pressed below half its length: one that is hit too fast.
 
     Two nodes that meet at the speed u press the segment between them by u / omega, omega its own frequency.
@@ -147,30 +153,32 @@ def is_pressed(system: System, state: State, duration: float) -> bool:
         return False
     soft = softest(system.elastic, state.stiffness)
     waves = state.rest_length[two_way] * np.sqrt(soft[two_way] * inverse[two_way])
-    ratio = max(_impact(system, state), _pumped(system, state, duration)) / waves
+    ratio = max(_impact(system, state, until), _pumped(system, state, duration, until)) / waves
     return bool(((ratio > _MACH) & (ratio < _FREE)).any())
 
 
-def _impact(system: System, state: State) -> float:
+def _impact(system: System, state: State, until: float) -> float:
     """Return the largest speed at which nodes may meet [m/s]: nothing brakes what flies as one."""
     alive = state.mass > 0.0
     v = state.v[:, alive]
     apart = 2.0 * float(np.linalg.norm(v - v.mean(axis=1, keepdims=True), axis=0).max())
     stops = len(state.held) > 0 or acting(system)
     back = max(recoil(state), recoil_of_releases(system, state))
-    return max(apart, back, fastest(system, state) if stops else 0.0)
+    return max(apart, back, fastest(system, state, until) if stops else 0.0)
 
 
-def _pumped(system: System, state: State, duration: float) -> float:
+def _pumped(system: System, state: State, duration: float, until: float) -> float:
     """Return the largest speed that shaking can give within a run to a rope without any friction [m/s]."""
     rubs = state.damping_vector.any() or state.damping_axial.any() or acting(system)
     if rubs or math.isfinite(float(system.elastic.time.min(initial=math.inf))):
         return 0.0
     half_cycles = fastest_turn(system.anchors) * duration / math.pi
-    return driven_speed(system) * 2.0 * half_cycles if half_cycles > 0.0 else 0.0
+    return driven_speed(system, until) * 2.0 * half_cycles if half_cycles > 0.0 else 0.0
 
 
-def uncovered(system: System, state: State, method: str, duration: float = 0.0) -> str:
+def uncovered(
+    system: System, state: State, method: str, duration: float = 0.0, until: float = math.inf
+) -> str:
     """Return why no bound holds for a method in a run of `duration` [s], or "" where one does.
 
     0 s leaves out what adds up over a run.
@@ -182,7 +190,7 @@ def uncovered(system: System, state: State, method: str, duration: float = 0.0) 
             "a stretch limiter acts after the steps of explicit methods, moves nodes and may give energy; "
             "implicit methods solve for it"
         )
-    if method in KEEPING and is_pressed(system, state, duration):
+    if method in KEEPING and is_pressed(system, state, duration, until):
         return (
             "something moves so fast, or shakes a rope without friction for so long, that it may press "
             "springs below half their length, where the bound does not reach; rk4 loses energy there rather "

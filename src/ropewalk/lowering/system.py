@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from functools import partial
 from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import (
-    Anchors,
     Floats,
     Forces,
     Ints,
@@ -25,7 +23,7 @@ from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.elastic_tables import elastic_tables, remembers, said_by, softest
-from ropewalk.lowering.joint_tables import join, joint_tables
+from ropewalk.lowering.joint_tables import join, joint_tables, masses_to_stop
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import Order, limiter_order
 from ropewalk.lowering.masses import line, line_density, masses, passing
@@ -38,7 +36,9 @@ from ropewalk.lowering.winch_tables import winch_tables, winches_of
 from ropewalk.methods.kinks import kink_times
 from ropewalk.scene import Limiter as LimiterInScene
 from ropewalk.scene import Rope, Scene, Springs
+from ropewalk.scene.bound_ropes import bound_ropes
 from ropewalk.scene.joint import tied_ropes
+from ropewalk.scene.obstacles import is_free
 
 
 def make_tables(
@@ -161,7 +161,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         tension=np.zeros(s),
         limited=np.zeros(s if scene.limiter else 0),
         drift=np.zeros((3, n)),
-        past=np.zeros(3),
+        past=np.zeros(6),
         rest_length=lengths,
         stiffness=stiffness,
         damping_vector=vector,
@@ -234,7 +234,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     origins = state.x[:, state.anchor_node].T.copy()
     elastic = keep("elastic", elastic_tables, layout, said_by(ropes))
     stretch = state.mass, applied, softest(elastic, state.stiffness), state.rest_length
-    limiter, tables = scene.limiter, _node_tables(scene, layout, keep)
+    limiter, tables = scene.limiter, _node_tables(scene, layout, state.mass, keep)
     joints = keep("joints", joint_tables, scene.joints, layout)
     order = keep("limiter order", limiter_order, layout, joints) if limiter is not None else None
     return System(
@@ -260,7 +260,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     )
 
 
-def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
+def _node_tables(scene: Scene, layout: Layout, mass: Floats, keep: Pieces) -> Any:
     """Return the tables of the laws of nodes, each made from its section of the scene."""
     thick = tuple(rope.diameter for rope in scene.ropes)
     inputs: dict[str, Any] = {"layout": layout, "diameters": thick}
@@ -269,15 +269,23 @@ def _node_tables(scene: Scene, layout: Layout, keep: Pieces) -> Any:
         "up": scene.up,
         "ropes": (),
         "whole": (),
+        "masses": (),
         "joints": (),
         "slides": (),
         "winches": (),
+        "bound": (),
     }
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
     if scene.obstacles or scene.slides or scene.contact is not None:  # what only they ask for
         inputs |= {"ropes": scene.ropes, "whole": tied_masses(scene)}
         inputs |= {"joints": scene.joints, "slides": scene.slides, "winches": scene.winches}
+    if any(body.restitution > 0.0 for body in scene.obstacles):
+        inputs["masses"] = masses_to_stop(scene, layout, mass)
+    if scene.contact is not None:
+        wheels = any(map(is_free, scene.obstacles))  # ropes on one pull on each other
+        bound = [range(len(thick))] if wheels else bound_ropes(scene)
+        inputs["bound"] = tuple(map(tuple, bound))  # as pieces compare them
     return NodeTables(
         *(
             keep(law.name, law.lower, section_of(law, scene), *(inputs[n] for n in law.inputs))
@@ -337,7 +345,7 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
         table for law, table in zip(NODE_LAWS, system.node, strict=True) if law.hold_up is not None
     )
     read = system.anchors, stops, state.anchor_x.copy()
-    points, speeds = keep("starts", partial(_starts, system, state), *read)
+    points, speeds = keep("starts", lambda *_: _starts(system, state), *read)
     held = system.anchors.release > 0.0
     state.held[:] = held
     state.anchor_x[held], state.anchor_v[held] = points[held], speeds[held]
@@ -352,11 +360,9 @@ def _hold(system: System, state: State, keep: Pieces) -> None:
         state.inverse_mass[others] = 0.0
 
 
-def _starts(
-    system: System, state: State, anchors: Anchors, stops: tuple[Any, ...], origins: Floats
-) -> tuple[Floats, Floats]:
+def _starts(system: System, state: State) -> tuple[Floats, Floats]:
     """Return where the anchors are at time zero [m] and their velocities [m/s], (a, 3) each."""
-    points, speeds = np.zeros_like(origins), np.zeros_like(origins)
-    for row in range(len(origins)):
+    points, speeds = np.zeros_like(state.anchor_x), np.zeros_like(state.anchor_x)
+    for row in range(len(points)):
         anchor_places(system, state, row, np.zeros(1), points[row], speeds[row], np.zeros((1, 3)))
     return points, speeds

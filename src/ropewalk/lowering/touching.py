@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -20,7 +21,9 @@ SLIPS = 0.99  # of what friction can carry: a contact that moves and carries mor
 _PARALLEL = 1e-9  # [1] least of A's eigenvalues over the largest, below which surfaces are parallel
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
-_Row = tuple[int, int, Floats, float, float, Floats, float]  # in the order that `_shared` reads
+_Row = tuple[
+    int, int, Floats, float, float, Floats, float, float
+]  # in the order that `_shared` reads
 
 
 class Contacts(NamedTuple):
@@ -31,6 +34,7 @@ class Contacts(NamedTuple):
     normal: Floats  # (c, 3) out of the obstacle [1]
     push: Floats  # (c,) R_n [N]
     turn: Floats  # (c,) angle by which the rope turns there towards the obstacle [rad]
+    aside: Floats  # (c,) ... and within its surface [rad]
     rub: Floats  # (c, 3) R_t [N]
     friction: Floats  # (c,) coefficient with which the node acts as its arc [1]
     slip: Floats  # (c, 3) velocity of the node over the surface [m/s]
@@ -47,6 +51,16 @@ class Contacts(NamedTuple):
             size, most, out=np.zeros_like(size), where=(most > 0.0) | np.isnan(size)
         )
         return found
+
+    def at_slip(self, friction: float, rows: Ints) -> float:
+        """Return the ratio of tensions at which a stretch of a rope without weight slips [1].
+
+        exp of the sum of sqrt((mu a)^2 - b^2), `friction` mu, a the turn towards the surface and b that
+        within it: the rope presses with T a and needs T b across, which friction lacks along it. On a drum
+        that is exp(mu theta). A node that friction does not hold across adds nothing. See `statics.wraps`.
+        """
+        spare = (friction * self.turn[rows]) ** 2 - self.aside[rows] ** 2
+        return float(np.exp(np.sqrt(np.maximum(spare, 0.0)).sum()))
 
     @property
     def slips(self) -> NDArray[np.bool_]:
@@ -101,8 +115,19 @@ def contacts_at(
         turn = turn_towards(x, i, *direction, stiffness)
         friction = on_polygon(table.friction[o, i], turn)
         along = over[o, j] - normal * (normal @ over[o, j])
-        rows.append((o, i, normal, push, friction, along, turn))
+        aside = turn_within(x, i, normal) if turn > 0.0 else 0.0
+        rows.append((o, i, normal, push, friction, along, turn, aside))
     return _shared(rows, force)
+
+
+def turn_within(x: Floats, i: int, normal: Floats) -> float:
+    """Return the angle by which a rope turns within a surface at a node [rad], of this normal (3,).
+
+    Between what segments before and after it, of places `x` (3, n) [m], are along the surface.
+    """
+    before, after = x[:, i] - x[:, i - 1], x[:, i + 1] - x[:, i]
+    into, out = (way - normal * (normal @ way) for way in (before, after))
+    return abs(math.atan2(float(normal @ np.cross(into, out)), float(into @ out)))
 
 
 def within_reach(
@@ -123,7 +148,8 @@ def within_reach(
         over[o] = speed[o] - np.cross(turning[0], arm)
     gaps = np.empty((count, len(nodes)))
     find_gaps(np.ascontiguousarray(places.T), table, t, gaps)
-    lead = table.damping[:, nodes] / table.stiffness[:, nodes] * np.linalg.norm(speed, axis=2)
+    damping = table.ratio[:, None] * table.damping[:, nodes]
+    lead = damping / table.stiffness[:, nodes] * np.linalg.norm(speed, axis=2)
     room = gaps - table.thickness[nodes]
     return speed, over, room <= (1.0 + 1e-9) * lead
 
@@ -162,6 +188,7 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
         normal=normal,
         push=push,
         turn=np.array([row[6] for row in rows], np.float64),
+        aside=np.array([row[7] for row in rows], np.float64),
         rub=rub,
         friction=friction,
         slip=np.array([row[5] for row in rows]).reshape(count, 3),

@@ -7,7 +7,7 @@ any step (a polynomial through positions would not do: a micrometre is tonnes in
 is the same at every recording rate. When the state was changed from outside, the walk begins anew from it.
 
 A step ends where the scene changes by itself (`controller.break_times`), and is cut where a law begins or
-ceases to act on a node, as a ground does, or a segment goes taut or slack (`crossings`).
+ceases to act on a node, as a ground or an obstacle does, or a segment goes taut or slack (`crossings`).
 """
 
 from __future__ import annotations
@@ -49,7 +49,6 @@ from ropewalk.methods.controller import (
 from ropewalk.methods.crossings import crossings, mark_sides
 from ropewalk.methods.impacts import rest_links
 from ropewalk.methods.implicit import (
-    MOST_HALVINGS,
     ImplicitScratch,
     make_implicit_scratch,
     step,
@@ -57,6 +56,7 @@ from ropewalk.methods.implicit import (
 )
 from ropewalk.methods.kinks import JUST_BELOW, next_break, take_up_laws, take_up_rates
 from ropewalk.methods.loop import close_frame, prepare_links
+from ropewalk.methods.part_lengths import MOST_HALVINGS
 from ropewalk.methods.partings import part_ropes
 from ropewalk.methods.scratch import SEEN, put_row
 from ropewalk.methods.stage import Stage
@@ -181,16 +181,19 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     if is_stopped(system, before, solver.mean, dt):
         return land(system, state, before, scratch, t, after, dt, ledger)
     quick = solver.stage.report[QUICK]
-    if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
-        return max(0.5 * dt, STOPS / quick, EVENT_STEP), 0
     b, other = tableau.b, tableau.embedded
     largest_error(solver.u, b, other, dt, state.inverse_mass, control)
     largest_inner_error(solver.rates, b, other, dt, state.rest_length, control)
-    if not control[ERROR] <= tolerance:
+    wrong = not control[ERROR] <= tolerance
+    if wrong and quick == 0.0:
         return dt * shorter(control[ERROR] / tolerance), 0
     end, changes = crossings(system, before, state, dt, tolerance)
     if end < dt and dt > 2.0 * EVENT_STEP:  # rounding makes a step of it a little longer
         return max(end, EVENT_STEP), -changes
+    if quick * dt > 1.5 * STOPS and dt > EVENT_STEP:
+        return max(0.5 * dt, STOPS / quick, EVENT_STEP), 0
+    if wrong:
+        return dt * shorter(control[ERROR] / tolerance), 0
     return 0.0, changes
 
 
@@ -240,6 +243,7 @@ def stride(system, scratch, extras, ledger, tableau):
     if control[WISH] == 0.0:
         control[WISH] = first_step(state.acceleration, system.gravity, scratch.limits[0], longest)
     dt, cut, retried, changes = min(control[WISH], longest), False, False, 0
+    most = math.inf  # [s] of the next step, where something begins to touch
     stop = next_break(scratch.breaks, t)
     while True:
         end, after = t + dt, t + dt
@@ -261,7 +265,8 @@ def stride(system, scratch, extras, ledger, tableau):
         if short:
             return UNSOLVED
         if changes < 0:
-            cut = True
+            cut, quick = True, solver.stage.report[QUICK]
+            most = 0.5 * STOPS / quick if quick > 0.0 else most
         else:
             control[WISH], retried, cut = again, True, False
         dt = again
@@ -271,6 +276,7 @@ def stride(system, scratch, extras, ledger, tableau):
         prepare_links(system, state, end, solver.stage.saddle)
     control[BEGIN], control[END] = t, end
     count_step(control, dt, control[ERROR] / scratch.limits[0], cut, retried)
+    control[WISH] = min(control[WISH], most)
     return OK
 
 

@@ -26,25 +26,10 @@ def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
     length agrees to rounding: k (r - L) loses the more digits, the larger k.
     """
     clear_lanes(sums, 1)
-    s = rest_length.shape[0]
+    s, springs = rest_length.shape[0], (rest_length, stiffness, floor, solved)
     for lo in range(0, s, LANES):
         hi = min(lo + LANES, s)
-        _add_tension(
-            x,
-            None,
-            rest_length,
-            stiffness,
-            floor,
-            solved,
-            None,
-            None,
-            lo,
-            hi,
-            sums,
-            tension,
-            None,
-            None,
-        )
+        _add_tension(x, springs, lo, hi, sums, tension, None, None, None)
     return total_of(sums, 0)
 
 
@@ -52,57 +37,28 @@ def record_tension(x, rest_length, stiffness, floor, solved, sums, tension):
 def read_springs(x, v, rest_length, stiffness, floor, solved, vector, axial, sums, segments):
     """As `record_tension` and, in the same sweep, `add_rubbing` and `stretches`, rows of `segments`."""
     clear_lanes(sums, 1)
-    one, two, three = segments[0], segments[1], segments[2]
-    s = rest_length.shape[0]
+    tension, more = segments[0], (segments[1], segments[2])
+    s, springs, rubs = (
+        rest_length.shape[0],
+        (rest_length, stiffness, floor, solved),
+        (vector, axial),
+    )
     for lo in range(0, s, LANES):
         hi = min(lo + LANES, s)
-        _add_tension(
-            x,
-            v,
-            rest_length,
-            stiffness,
-            floor,
-            solved,
-            vector,
-            axial,
-            lo,
-            hi,
-            sums,
-            one,
-            two,
-            three,
-        )
+        _add_tension(x, springs, lo, hi, sums, tension, v, rubs, more)
     return total_of(sums, 0)
 
 
 @apart
-def _add_tension(
-    x,
-    v,
-    rest_length,
-    stiffness,
-    floor,
-    solved,
-    vector,
-    axial,
-    lo,
-    hi,
-    sums,
-    tension,
-    carried,
-    stretch,
-):
+def _add_tension(x, springs, lo, hi, sums, tension, v, rubs, more):
+    rest_length, stiffness, floor, solved = springs
     x0, x1, x2 = rows(x, lo, hi + 1)
     rest_length, stiffness, floor = rest_length[lo:hi], stiffness[lo:hi], floor[lo:hi]
     solved, tension = solved[lo:hi], tension[lo:hi]
     if v is not None:
         v0, v1, v2 = rows(v, lo, hi + 1)
-        vector, axial, carried, stretch = (
-            vector[lo:hi],
-            axial[lo:hi],
-            carried[lo:hi],
-            stretch[lo:hi],
-        )
+        vector, axial = rubs[0][lo:hi], rubs[1][lo:hi]
+        carried, stretch = more[0][lo:hi], more[1][lo:hi]
     for j in range(rest_length.shape[0]):
         dx, dy, dz = x0[j + 1] - x0[j], x1[j + 1] - x1[j], x2[j + 1] - x2[j]
         r, length = math.sqrt(dx * dx + dy * dy + dz * dz), rest_length[j]
@@ -116,9 +72,9 @@ def _add_tension(
         sums[j] += 0.5 * pull * e if gives and pull >= floor[j] else 0.0
         if v is not None:
             ux, uy, uz = v0[j + 1] - v0[j], v1[j + 1] - v1[j], v2[j + 1] - v2[j]
-            rubs = vector[j] + axial[j] if floor[j] != 0.0 or r >= length else 0.0
-            along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 and rubs > 0.0 else 0.0
-            carried[j] = elastic + rubs * along
+            c = vector[j] + axial[j] if floor[j] != 0.0 or r >= length else 0.0
+            along = (ux * dx + uy * dy + uz * dz) / r if r > 0.0 and c > 0.0 else 0.0
+            carried[j] = elastic + c * along
             stretch[j] = r / length if length > 0.0 else -np.inf
 
 

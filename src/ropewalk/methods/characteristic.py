@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ropewalk.methods.implicit_characteristic import implicit_characteristics
+from ropewalk.methods.stability_function import STABILITY
 
 Array = NDArray[np.float64]
 Characteristic = Callable[[ArrayLike, ArrayLike], Array]
@@ -35,12 +36,6 @@ def _polynomial(*coefficients: ArrayLike) -> Array:
 
 def _pair(a: ArrayLike, b: ArrayLike) -> tuple[Array, Array]:
     return np.asarray(a, dtype=np.float64), np.asarray(b, dtype=np.float64)
-
-
-def euler(a: ArrayLike, b: ArrayLike) -> Array:
-    """Explicit Euler: v1 = v + dt f(x, v), x1 = x + dt v."""
-    a, b = _pair(a, b)
-    return _polynomial(1.0, -(2.0 - b), 1.0 - b + a)
 
 
 def semi_implicit_euler(a: ArrayLike, b: ArrayLike) -> Array:
@@ -59,49 +54,6 @@ def verlet(a: ArrayLike, b: ArrayLike) -> Array:
     return _polynomial(1.0, -(2.0 - a - 1.5 * b), 1.0 - 2.0 * b, 0.5 * b)
 
 
-def heun(a: ArrayLike, b: ArrayLike) -> Array:
-    """Heun: the explicit trapezoid, R(z) = 1 + z + z^2 / 2."""
-    a, b = _pair(a, b)
-    return _polynomial(1.0, -(2.0 - _heun_drop(a, b)), 1.0 - _heun_loss(a, b))
-
-
-def rk4(a: ArrayLike, b: ArrayLike) -> Array:
-    """Classical Runge-Kutta: R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24."""
-    a, b = _pair(a, b)
-    return _polynomial(1.0, -(2.0 - _rk4_drop(a, b)), 1.0 - _rk4_loss(a, b))
-
-
-# A "drop" is 2 - trace, a "loss" is 1 - det. Both follow from trace = R(z1) + R(z2) and
-# det = R(z1) R(z2) with z1 + z2 = -b and z1 z2 = a.
-
-
-def _heun_drop(a: Array, b: Array) -> Array:
-    return b + a - 0.5 * b * b
-
-
-def _heun_loss(a: Array, b: Array) -> Array:
-    return b - 0.5 * b * b + 0.5 * a * b - 0.25 * a * a
-
-
-def _rk4_drop(a: Array, b: Array) -> Array:
-    squares = b * b - 2.0 * a
-    cubes = b * (3.0 * a - b * b)
-    fourths = b**4 - 4.0 * a * b * b + 2.0 * a * a
-    return b - squares / 2.0 - cubes / 6.0 - fourths / 24.0
-
-
-def _rk4_loss(a: Array, b: Array) -> Array:
-    constant = b * (1.0 - b / 2.0 + b * b / 6.0 - b**3 / 24.0)
-    linear = a * b**3 / 24.0
-    square = -a * a * b * (1.0 / 24.0 + b / 48.0)
-    cube = a**3 * (1.0 / 72.0 + b / 144.0)
-    return constant + linear + square + cube - a**4 / 576.0
-
-
-def _euler_margins(a: Array, b: Array) -> tuple[Array, ...]:
-    return a, b - a, 4.0 + a - 2.0 * b
-
-
 def _semi_implicit_euler_margins(a: Array, b: Array) -> tuple[Array, ...]:
     return a, b, 4.0 - a - 2.0 * b, 2.0 - b
 
@@ -110,24 +62,11 @@ def _verlet_margins(a: Array, b: Array) -> tuple[Array, ...]:
     return a, b, 4.0 - a - 4.0 * b, 2.0 - b - 0.5 * a * b - b * b
 
 
-def _second_order_margins(drop: Array, loss: Array) -> tuple[Array, ...]:
-    return drop - loss, loss, 4.0 - drop - loss
-
-
-def _heun_margins(a: Array, b: Array) -> tuple[Array, ...]:
-    return _second_order_margins(_heun_drop(a, b), _heun_loss(a, b))
-
-
-def _rk4_margins(a: Array, b: Array) -> tuple[Array, ...]:
-    return _second_order_margins(_rk4_drop(a, b), _rk4_loss(a, b))
-
-
-CHARACTERISTIC: dict[str, Characteristic] = implicit_characteristics() | {
-    "euler": euler,
+CHARACTERISTIC: dict[str, Characteristic] = {
+    **implicit_characteristics(),
+    **{name: one.polynomial for name, one in STABILITY.items()},
     "semi-implicit-euler": semi_implicit_euler,
     "verlet": verlet,
-    "heun": heun,
-    "rk4": rk4,
 }
 
 
@@ -138,12 +77,11 @@ def _positive_margins(a: Array, b: Array) -> tuple[Array, ...]:
 #: Methods that are stable at any step: A-stable ones.
 UNCONDITIONAL = frozenset(implicit_characteristics())
 
-MARGINS: dict[str, Margins] = dict.fromkeys(UNCONDITIONAL, _positive_margins) | {
-    "euler": _euler_margins,
+MARGINS: dict[str, Margins] = {
+    **dict.fromkeys(UNCONDITIONAL, _positive_margins),
+    **{name: one.margins for name, one in STABILITY.items()},
     "semi-implicit-euler": _semi_implicit_euler_margins,
     "verlet": _verlet_margins,
-    "heun": _heun_margins,
-    "rk4": _rk4_margins,
 }
 
 # A mode on the unit circle is stable; this much, relative to a + b, is rounding.

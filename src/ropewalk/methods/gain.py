@@ -8,7 +8,8 @@ over the segments, U the energy of stretch and bending, f the mean force that th
 relative velocity; see `laws.ledger`. Clamps that turn stand where the step ends in both U, so that their
 work does not count as made up. What a bound of the stretch gives does: it stops, and gives nothing; so does
 what friction gives, as it may where a held node stops at once, friction is stiff and the step long. A step
-that makes up a good part of all energy there is has no worth.
+that makes up a good part of all energy there is has no worth, where what all is carried along with does
+not count.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.couplings import coupled_energy, coupled_work, couples
 from ropewalk.laws.elastic import CHANGE, stored_energy
 from ropewalk.laws.inner import gained_at_drums, heat
-from ropewalk.laws.ledger import kinetic_energy
+from ropewalk.laws.ledger import energy_past_anchors
 from ropewalk.laws.rare import has_bending, has_inner, limits, winds
 
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
@@ -61,12 +62,26 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
     gain = after - before - work - min(taken(mean.friction, state.v, stage.v, dt), 0.0)
     if gain <= most * before:
         return False
+    mass, inverse_mass = state.mass, state.inverse_mass
     least = min(
-        before + kinetic_energy(state.v, state.mass), after + kinetic_energy(stage.v, state.mass)
+        before + energy_past_anchors(state.v, mass, inverse_mass),
+        after + energy_past_anchors(stage.v, mass, inverse_mass),
     )
-    return gain > most * (
-        least + weight_times_length(state.mass, state.rest_length, system.gravity)
-    )
+    return gain > most * (least + turned_over(system, state))
+
+
+@part
+def turned_over(system, state):
+    """Return what gravity can turn over [J]: weight times length of ropes that are bound together, summed."""
+    mass, lengths, gravity = state.mass, state.rest_length, system.gravity
+    table = system.node.contact
+    if system.rare is None or table.rope.shape[0] == 0:  # all of these ropes are bound together
+        return weight_times_length(mass, lengths, gravity)
+    total = 0.0
+    for r in range(table.lead.shape[0]):
+        if table.lead[r] == r:
+            total += weight_times_length_of(table.lead, table.rope, r, mass, lengths, gravity)
+    return total
 
 
 @kernel
@@ -82,11 +97,26 @@ def taken(force, v0, v1, dt):
 
 @kernel
 def weight_times_length(mass, rest_length, gravity):
-    """Return weight times length of all ropes [J]: what gravity can turn over."""
+    """Return weight times length of all ropes [J]."""
     weight, length = 0.0, 0.0
     for i in range(mass.shape[0]):
         weight += mass[i]
     for j in range(rest_length.shape[0]):
         length += rest_length[j]
+    x, y, z = gravity[0], gravity[1], gravity[2]
+    return math.sqrt(x * x + y * y + z * z) * weight * length
+
+
+@kernel
+def weight_times_length_of(lead, rope, one, mass, rest_length, gravity):
+    """Return the same of those ropes alone that `one` leads; `lead` and `rope` as `Pairs` has them."""
+    weight, length = 0.0, 0.0
+    for i in range(mass.shape[0]):
+        own = i < rope.shape[0] and rope[i] >= 0  # else it is the last node of a rope
+        if lead[rope[i] if own else rope[i - 1]] == one:
+            weight += mass[i]
+    for j in range(rest_length.shape[0]):
+        if rope[j] >= 0 and lead[rope[j]] == one:
+            length += rest_length[j]
     x, y, z = gravity[0], gravity[1], gravity[2]
     return math.sqrt(x * x + y * y + z * z) * weight * length

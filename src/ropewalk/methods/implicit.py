@@ -42,6 +42,13 @@ from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
 from ropewalk.methods.impacts import is_soft, is_struck, rest_links, strike
 from ropewalk.methods.loop import make_advance, nodes_out, prepare_links
+from ropewalk.methods.part_lengths import (
+    MOST_HALVINGS,
+    MOST_PARTS,
+    begin_parts,
+    carries_parts,
+    keep_parts,
+)
 from ropewalk.methods.scratch import (
     Look,
     add,
@@ -66,10 +73,6 @@ from ropewalk.methods.starts import Starts, make_starts, take_start
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
 from ropewalk.methods.window import Windows, make_windows, solve_stage
-
-MOST_HALVINGS = 12
-SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
-FEWEST_PARTS, MOST_PARTS = 2, 16  # that are solved before one of twice their length is tried
 
 
 class ImplicitScratch(NamedTuple):
@@ -323,8 +326,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
     The step is part `place` of 2^level parts; one that finds no solution is halved. Parts grow again after
-    `need` of them, and where the longer one fails it takes twice as many the next time. One that hits
-    something, and the next, are taken by implicit Euler.
+    `need` of them, and where the longer one fails it takes twice as many the next time; where many touch, in
+    the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit Euler.
     """
     kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
     if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
@@ -332,7 +335,9 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
-    level, place, run, need, climbed, last = 0, 0, 0, FEWEST_PARTS, False, dt
+    carried = is_soft(kind, A) and carries_parts(system, state)
+    level, run, need, climbed = begin_parts(state.past, dt, carried)
+    place, last = 0, dt
     fixed = scratch.stage.saddle.band.frozen[0] == 0
     status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
@@ -374,6 +379,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             level, place, run, climbed, kind = level + 1, 2 * place, 0, False, DIRK
             A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
             state.past[0] = 0.0
+    keep_parts(state.past, dt, carried and status == OK, level, run, need)
     if status != OK and winds(system, state):  # the state is as it was before the part that failed
         cut_short(system, state, begin, scratch.turning)
     if kind == DIRK and tableau.kind == BDF2:

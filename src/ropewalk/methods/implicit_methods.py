@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import get_args
 
-from ropewalk.methods.names import Implicit
+from ropewalk.methods.names import Implicit, of_name
 from ropewalk.methods.tableaus import (
     BDF_2,
     ESDIRK3,
@@ -66,14 +65,4 @@ _MADE = (
     ),
 )
 
-
-def _of_name(name: str) -> ImplicitMethod:
-    """Return the method of a name, from a file of its own where it is not made here."""
-    for method in _MADE:
-        if method.name == name:
-            return method
-    found: ImplicitMethod = import_module(f"ropewalk.methods.{name.replace('-', '_')}").METHOD
-    return found
-
-
-IMPLICIT = tuple(map(_of_name, get_args(Implicit)))
+IMPLICIT = tuple(of_name(name, _MADE) for name in get_args(Implicit))

@@ -76,7 +76,7 @@ def keep_between(values, high, low, lo, hi):
 
 @kernel
 def keep_live(tension, rest_length, stiffness, high, low):
-    """As `keep_between`, of real segments: one that comes off a drum has carried nothing there [N]."""
+    """As `keep_between`, of real segments: on a drum, or once it has parted, none has carried 0 N."""
     for j in range(tension.shape[0]):
         if is_live(rest_length[j], stiffness[j]):
             high[j], low[j] = greater(tension[j], high[j]), lesser(tension[j], low[j])

@@ -83,6 +83,8 @@ class Recording(NamedTuple):
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""
+        if start == 0 and stop >= len(self.x):
+            return self  # at the same addresses
         return Recording(*(array[start:stop] for array in self))
 
 
@@ -130,9 +132,15 @@ def energy_names(bending: bool) -> tuple[str, ...]:
 
 
 def remembering(state: State) -> tuple[str, ...]:
-    """Return the names of the laws with a memory that act: their works come after all others."""
+    """Return the names of the laws with a memory that act: their works come after all others.
+
+    Where ropes have been is kept of those that touch no others, too.
+    """
     pairs = zip(NODE_LAWS, state.memory, strict=True)
-    return tuple(law.name for law, kept in pairs if any(np.size(part) for part in kept))
+    swept = state.memory.contact.swept
+    return tuple(
+        law.name for law, kept in pairs if any(np.size(part) for part in kept if part is not swept)
+    )
 
 
 def work_names(bending: bool, more: tuple[str, ...] = ()) -> tuple[str, ...]:

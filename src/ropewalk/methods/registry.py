@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,7 +18,9 @@ from ropewalk.methods import (
     tableaus,
     verlet,
 )
+from ropewalk.methods.explicit_methods import RUNGE_KUTTA, ExplicitMethod
 from ropewalk.methods.implicit_methods import IMPLICIT
+from ropewalk.methods.names import Explicit, Implicit
 from ropewalk.methods.scratch import make_scratch
 
 NO_TABLEAU = np.zeros((2, 0))
@@ -63,6 +65,19 @@ class Method(NamedTuple):
         return make_scratch(state)
 
 
+def _explicit(one: ExplicitMethod) -> Method:
+    """Return an explicit Runge-Kutta method; each of its stages evaluates the forces once."""
+    return Method(
+        one.name,
+        one.order,
+        one.table.shape[1],
+        runge_kutta.advance,
+        one.table,
+        characteristic.CHARACTERISTIC[one.name],
+        one.summary,
+    )
+
+
 def _implicit(one: tableaus.ImplicitMethod) -> Method:
     """Return an implicit method; its evaluations are the stages to solve, some four each."""
     tableau = one.tableau
@@ -81,55 +96,28 @@ def _implicit(one: tableaus.ImplicitMethod) -> Method:
     )
 
 
-METHODS = {
-    method.name: method
-    for method in (
-        Method(
-            "euler",
-            1,
-            1,
-            runge_kutta.advance,
-            runge_kutta.EULER,
-            characteristic.euler,
-            "Explicit Euler; gains energy, for comparison only.",
-        ),
-        Method(
-            "semi-implicit-euler",
-            1,
-            1,
-            semi_implicit_euler.advance,
-            NO_TABLEAU,
-            characteristic.semi_implicit_euler,
-            "Velocity first, then position with it; symplectic without friction.",
-            cuts=False,
-        ),
-        Method(
-            "verlet",
-            2,
-            1,
-            verlet.advance,
-            NO_TABLEAU,
-            characteristic.verlet,
-            "Velocity Verlet; symplectic without friction.",
-        ),
-        Method(
-            "heun",
-            2,
-            2,
-            runge_kutta.advance,
-            runge_kutta.HEUN,
-            characteristic.heun,
-            "Improved Euler, Habrador's; weakly unstable without friction.",
-        ),
-        Method(
-            "rk4",
-            4,
-            4,
-            runge_kutta.advance,
-            runge_kutta.RK4,
-            characteristic.rk4,
-            "Classical Runge-Kutta; the most accurate per step.",
-        ),
-        *(_implicit(one) for one in IMPLICIT),
-    )
+_OWN = (
+    Method(
+        "semi-implicit-euler",
+        1,
+        1,
+        semi_implicit_euler.advance,
+        NO_TABLEAU,
+        characteristic.semi_implicit_euler,
+        "Velocity first, then position with it; symplectic without friction.",
+        cuts=False,
+    ),
+    Method(
+        "verlet",
+        2,
+        1,
+        verlet.advance,
+        NO_TABLEAU,
+        characteristic.verlet,
+        "Velocity Verlet; symplectic without friction.",
+    ),
+)
+_MADE = {
+    made.name: made for made in (*_OWN, *map(_explicit, RUNGE_KUTTA), *map(_implicit, IMPLICIT))
 }
+METHODS = {name: _MADE[name] for name in (*get_args(Explicit), *get_args(Implicit))}

@@ -1,4 +1,4 @@
-"""Explicit Runge-Kutta methods whose stages each use the stage before: Euler, Heun, the classical RK4.
+"""Explicit Runge-Kutta methods whose stages each use the stage before; their tables: `explicit_methods`.
 
     stage s:  x_s = x0 + h c_s u_(s-1),  v_s = v0 + h c_s a_(s-1),  u_s = v_s,  a_s = a(x_s, v_s)
     x1 = x0 + h sum b_s u_s,   v1 = v0 + h sum b_s a_s
@@ -6,8 +6,6 @@ Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.
 """
 
 from __future__ import annotations
-
-import numpy as np
 
 from ropewalk.core.jit import apart, part
 from ropewalk.laws.anchors import move_anchors, place_stage
@@ -19,11 +17,6 @@ from ropewalk.laws.winch import wind_to
 from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods.loop import make_advance
 from ropewalk.methods.means import add_to_mean, begin_mean
-
-# nodes c (row 0) and weights b (row 1)
-EULER = np.array([[0.0], [1.0]])
-HEUN = np.array([[0.0, 1.0], [0.5, 0.5]])
-RK4 = np.array([[0.0, 0.5, 0.5, 1.0], [1 / 6, 1 / 3, 1 / 3, 1 / 6]])
 
 
 @apart

@@ -10,7 +10,7 @@ import numpy as np
 
 from ropewalk.core.jit import kernel, part, seldom
 from ropewalk.core.ranges import ALL
-from ropewalk.laws.rare import winds
+from ropewalk.laws.rare import parts, winds
 from ropewalk.methods.carried import read_segments
 from ropewalk.methods.errors import error_now, keep_error, set_zero
 from ropewalk.methods.peak_search import fill, search_all, search_kept, settle_kept
@@ -40,7 +40,7 @@ def see(system, state, look):
 def keep_seen(system, state, look, t):
     """Hold what was seen of the state, of time `t` [s], against the extremes."""
     peaks, carried = state.peaks, look.segments[1]
-    if winds(system, state):
+    if winds(system, state) or parts(system):
         lengths, k = state.rest_length, state.stiffness
         keep_live(carried, lengths, k, peaks.tension_high, peaks.tension_low)
     else:
@@ -55,7 +55,7 @@ def begin_seen(system, state, look, t):
     """Begin an interval with what was seen of the state, of time `t` [s]."""
     peaks, carried = state.peaks, look.segments[1]
     clear_peaks(peaks)
-    if winds(system, state):
+    if winds(system, state) or parts(system):
         fill(peaks.tension_high, -np.inf)
         fill(peaks.tension_low, np.inf)
         lengths, k = state.rest_length, state.stiffness

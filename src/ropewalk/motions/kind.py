@@ -24,8 +24,8 @@ class Motion(NamedTuple):
     fill: Callable[[Any, Floats], Floats | None] = lambda motion, row: None
     """Write the scene's motion into a row, (16,); return the rows of a table of its own, (rows, 13)."""
 
-    speed: Callable[[Floats, Floats], float] = lambda row, table: 0.0
-    """Largest speed [m/s] of a row with its table: the bound of the step knows of it."""
+    speed: Callable[[Floats, Floats, float], float] = lambda row, table, until: 0.0
+    """Largest speed [m/s] of a row with its table before a time [s]: the bound of the step knows of it."""
 
     jumps: Callable[[Floats, Floats], Floats] = lambda row, table: np.zeros(0)
     """Times at which the velocity jumps [s]: steps are cut there."""

@@ -20,7 +20,7 @@ def fill(motion: Any, row: Floats) -> None:
     row[FREQUENCY] = motion.frequency
 
 
-def speed(row: Floats, table: Floats) -> float:
+def speed(row: Floats, table: Floats, until: float) -> float:
     """Return the speed on the circle [m/s]."""
     arm = np.cross(row[AXIS], row[ORIGIN] - row[CENTRE])
     return float(2.0 * math.pi * abs(row[FREQUENCY]) * np.linalg.norm(arm))

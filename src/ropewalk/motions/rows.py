@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -68,9 +69,9 @@ def jumps(motions: Any) -> Floats:
     return np.concatenate([np.zeros(0), *(own_jumps(motions, row) for row in rows)])
 
 
-def largest_speed(motions: Any, row: int) -> float:
-    """Return the largest speed of a motion [m/s]."""
-    return kind_of(motions, row).speed(motions.params[row], own_table(motions, row))
+def largest_speed(motions: Any, row: int, until: float = math.inf) -> float:
+    """Return the largest speed of a motion before a time [s] [m/s]."""
+    return kind_of(motions, row).speed(motions.params[row], own_table(motions, row), until)
 
 
 def fastest_turn(motions: Any) -> float:

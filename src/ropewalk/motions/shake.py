@@ -45,6 +45,8 @@ SHAKE = Motion(
     name="shake",
     place=place,
     fill=fill,
-    speed=lambda row, table: float(2.0 * math.pi * row[FREQUENCY] * np.linalg.norm(row[WAY])),
+    speed=lambda row, table, until: float(
+        2.0 * math.pi * row[FREQUENCY] * np.linalg.norm(row[WAY])
+    ),
     turns=lambda row: 2.0 * math.pi * abs(float(row[FREQUENCY])),
 )

@@ -67,12 +67,16 @@ def corners(row: Floats, rows: Floats) -> Floats:
     return found
 
 
-def speed(row: Floats, rows: Floats) -> float:
-    """Return the largest speed along a table [m/s], to a millionth: sampled, and where v . a = 0, a cubic.
+def speed(row: Floats, rows: Floats, until: float) -> float:
+    """Return the largest speed along a table before a time [m/s], to a millionth.
 
-    Between two samples v is off the chord by at most h^2 |v''| / 8, which says where more may be.
+    Sampled, and where v . a = 0, a cubic. Between two samples v is off the chord by at most h^2 |v''| / 8,
+    which says where more may be.
     """
-    width = np.diff(rows[:, 0])[:, None]
+    rows = rows[: max(2, np.searchsorted(rows[:, 0], until) + 1)]
+    width = np.clip(until - rows[:-1, 0], 0.0, np.diff(rows[:, 0]))[:, None]
+    if not width.any():
+        return 0.0
     c1, c2, c3 = (rows[:-1, i::4] for i in (2, 3, 4))
     s = (width * np.linspace(0.0, 1.0, 9))[:, :, None]
     sampled = np.linalg.norm(c1[:, None] + s * (2.0 * c2[:, None] + 3.0 * s * c3[:, None]), axis=2)

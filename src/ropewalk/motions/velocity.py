@@ -18,6 +18,11 @@ def fill(motion: Any, row: Floats) -> None:
     row[INTERVAL] = motion.start, motion.stop
 
 
+def speed(row: Floats, table: Floats, until: float) -> float:
+    """Return the speed from the start on [m/s]."""
+    return float(np.linalg.norm(row[WAY])) if row[INTERVAL][0] < until else 0.0
+
+
 @kernel
 def place_velocity(p, t):
     """Return place and velocity of a point that moves during an interval (velocity right-continuous)."""
@@ -43,6 +48,6 @@ VELOCITY = Motion(
     name="velocity",
     place=place,
     fill=fill,
-    speed=lambda row, table: float(np.linalg.norm(row[WAY])),
+    speed=speed,
     jumps=lambda row, table: row[INTERVAL],
 )

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _FLAT = 10.0  # a box flatter than this is drawn with unequal scales
+_THICK = 12.0  # diameters: where ropes that touch each other are no higher, scales are equal
 ANCHOR = {"marker": "s", "color": "black", "markersize": 5.5, "linestyle": "none"}
 LOAD = {"marker": "o", "color": "#404040", "markersize": 7.0, "linestyle": "none"}
 JOINT = {"marker": "o", "color": "#404040", "markersize": 3.0, "linestyle": "none"}
@@ -53,11 +54,14 @@ class Box:
         return (self.high - self.low) * self.magnified
 
 
-def box_around(points: Floats, ground: float | None, *, roomy: bool = False) -> Box:
+def box_around(
+    points: Floats, ground: float | None, *, roomy: bool = False, thick: float = 0.0
+) -> Box:
     """Return a box with a margin around points (..., 2) [m], and the ground where it is near.
 
     A rope that is long and nearly straight gets unequal scales, else its waves could not be seen;
-    a `roomy` box has equal scales and much room, for what a break throws about.
+    a `roomy` box has equal scales and much room, for what a break throws about. Ropes that touch each other
+    are `thick` [m]: where that is much of their height, as in a knot, scales are equal, and they are seen so.
     """
     flat = points.reshape(-1, 2)
     flat = flat[np.isfinite(flat).all(axis=1)]
@@ -70,7 +74,7 @@ def box_around(points: Floats, ground: float | None, *, roomy: bool = False) -> 
     if roomy:
         middle = 0.5 * (low + high)
         low, high = np.minimum(low, middle - 0.3 * size), np.maximum(high, middle + 0.3 * size)
-    elif span[0] >= _FLAT * span[1] > 1e-9 * size:
+    elif span[0] >= _FLAT * span[1] > max(1e-9 * size, _FLAT * _THICK * thick):
         room = np.array([0.04 * span[0], 0.15 * span[1]])
         low, high = low - room, high + room
         factor = (high[0] - low[0]) / (high[1] - low[1]) / 3.0
@@ -181,7 +185,10 @@ def backdrop(
     outlines = outlines_of(result, view)
     moving = [one for f in inside for one in outlines_of(result, view, float(result.time[f]))]
     around = np.concatenate([flat.reshape(-1, 2), near([*outlines, *moving], flat)])
-    return Backdrop(view, box_around(around, ground, roomy=broken), ground, good, outlines)
+    touch = result.scene.contact is not None
+    thick = max(rope.diameter for rope in result.scene.ropes) if touch else 0.0
+    box = box_around(around, ground, roomy=broken, thick=thick)
+    return Backdrop(view, box, ground, good, outlines)
 
 
 def magnification_note(box: Box) -> list[str]:

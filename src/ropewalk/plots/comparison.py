@@ -249,7 +249,7 @@ def _notes(found: Comparison, backdrops: list[Backdrop]) -> list[str]:
             notes.append(f"{name} {distance.way}.")
     for label_, result, seen in zip(found.labels, found.results, backdrops, strict=True):
         if any(end.frames < seen.good for end in result.ends):
-            notes.append(f"{label_}: broken, {shortly(result.ends)}.")
+            notes.append(f"{label_}: ended early, {shortly(result.ends)}.")
         elif seen.good < len(result.time) or result.status == "broke":
             notes.append(f"{label_} broke after t = {result.time[seen.good - 1]:.4g} s.")
     shown = found.settings[:4]

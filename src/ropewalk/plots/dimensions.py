@@ -22,6 +22,8 @@ from ropewalk.plots.canvas import (
     prepare,
 )
 from ropewalk.plots.given_forces import draw_forces, given_notes, with_room
+from ropewalk.plots.legends import legend_above
+from ropewalk.plots.room import Room
 from ropewalk.plots.sight import Floats, anchors_at, load_nodes, positions_of, rope_lines
 from ropewalk.plots.style import (
     COLOURS,
@@ -39,6 +41,7 @@ if TYPE_CHECKING:
 
 _MOST = 8  # names, loads and sags that are written; more would hide each other
 _SMALL = 2e-3  # [1] of the drawing's size: shorter than this a length is not told
+_WIDE = 6.0  # [inch] of the drawing, at most
 _NEAR = 0.02  # [1] of the drawing's size: anchors nearer to each other have one label
 _FOOT = 0.15  # [1] of the box: anchors below that have their names below them
 # Where words of a load may stand, and within which angle of that no rope may leave it [rad].
@@ -73,7 +76,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
     ends = seen.view.project(_ends(result, points))
     loads = seen.view.project(points[load_nodes(result)])
     _measure_ends(axes, ends, seen, np.concatenate([ends, loads]))
-    sags = _write_sags(axes, result, points, seen)
+    sags = _write_sags(axes, result, points, seen, height)
     _name_anchors(axes, result, seen)
     more = _name_loads(axes, result, seen.view.project(points), seen)
     if any(rope.loads for rope in result.scene.ropes):  # room for the lowest one's words
@@ -81,7 +84,7 @@ def dimensions(result: Result, *, plane: str | None = None) -> Figure:
         axes.set_ylim(min(low, seen.box.low - 0.08 * (seen.box.high - seen.box.low)), high)
     label(axes, seen.view)
     if 1 < len(result.layout.ropes) <= _MOST:
-        axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+        legend_above(axes)
     at_rest = result.status == "at rest"
     set_title(figure, result.scene.name, "at rest" if at_rest else "at time zero")
     notes = [*sags, *more, *_depth(result, points, seen), *magnification_note(seen.box)]
@@ -143,27 +146,37 @@ def _measure(axes: Axes, a: Any, b: Any, text: str, *, beside: bool = False) -> 
     )
 
 
-def _write_sags(axes: Axes, result: Result, points: Floats, seen: Backdrop) -> list[str]:
-    """Draw the sag of every span between anchors of a scene at rest; return what could not be drawn."""
+def _write_sags(
+    axes: Axes, result: Result, points: Floats, seen: Backdrop, tall: float
+) -> list[str]:
+    """Draw the sag of every span between anchors of a scene at rest, the largest ones where there are many.
+
+    The drawing is `tall` [inch]. Returns what could not be drawn.
+    """
     if result.status != "at rest" or not any(result.scene.gravity):
         return []
-    drawn, size = 0, max(seen.box.width, seen.box.high - seen.box.low)
+    found, size = [], max(seen.box.width, seen.box.high - seen.box.low)
     up = np.asarray(result.scene.up)
     for first, last in _spans(result):
         part = points[first : last + 1]
         heights, chord = part @ up, _chord(part, up)
         at = int(np.argmax(chord - heights))
         sag = float((chord - heights)[at])
-        if sag < _SMALL * size or at in (0, len(part) - 1):
-            continue
-        drawn += 1
-        if drawn > _MOST:
-            return ["Not all sags are drawn."]
-        top, bottom = seen.view.project(np.stack([part[at] + sag * up, part[at]]))
-        chord_line = seen.view.project(part[[0, -1]])
-        axes.plot(*chord_line.T, color=GREY, linewidth=0.6, linestyle=(0, (6, 4)), zorder=1)
-        _measure(axes, tuple(top), tuple(bottom), f"sag {sag:.4g} m", beside=True)
-    return []
+        if sag >= _SMALL * size and at not in (0, len(part) - 1):
+            ends = seen.view.project(np.stack([part[at] + sag * up, part[at]]))
+            found.append((sag, ends, seen.view.project(part[[0, -1]])))
+    found.sort(key=lambda one: -one[0])
+    room, drawn = Room(axes, (_WIDE, tall), seen.box.magnified), 0
+    for sag, ends, chord_line in found:
+        words = f"sag {sag:.4g} m"
+        middle = ends.mean(axis=0)
+        if drawn < _MOST and room.take(middle, words, ha="left", va="center", size=8.5, aside=6.0):
+            drawn += 1
+            axes.plot(*chord_line.T, color=GREY, linewidth=0.6, linestyle=(0, (6, 4)), zorder=1)
+            _measure(axes, tuple(ends[0]), tuple(ends[1]), words, beside=True)
+    if drawn == len(found):
+        return []
+    return [f"{drawn} of {len(found)} sags are drawn: where they lie close, the largest."]
 
 
 def _spans(result: Result) -> list[tuple[int, int]]:

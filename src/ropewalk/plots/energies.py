@@ -43,6 +43,7 @@ _NAMES = {"applied": "applied forces"}  # of laws
 #: What `laws.contact_books.ENTRIES` are, of a kind of surface.
 _OF_SURFACES = {
     "motor": "work of what moves {}",
+    "lift": "work of pressing up, {}",  # the motor of ropes on ropes
     "normal": "work of impacts, {}",
     "friction": "work of friction, {}",
     "stored": "given back by contacts, {}",
@@ -175,8 +176,9 @@ def surface_curves(result: Result, law: str, good: int) -> dict[str, Floats]:
         if (surface == ROPES) != (law == "contact"):
             continue
         for entry, values in entries.items():
-            label = _OF_SURFACES[entry].format(
-                "ropes on ropes" if surface == ROPES else "obstacles"
+            ropes = surface == ROPES
+            label = _OF_SURFACES["lift" if ropes and entry == "motor" else entry].format(
+                "ropes on ropes" if ropes else "obstacles"
             )
             found[label] = found.get(label, 0.0) + values
     return {label: values for label, values in found.items() if np.nan_to_num(values[:good]).any()}

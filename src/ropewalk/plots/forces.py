@@ -26,8 +26,11 @@ from ropewalk.plots.canvas import (
     prepare,
 )
 from ropewalk.plots.given_forces import arrow_scale, draw_forces, given_notes, roomy
+from ropewalk.plots.legends import legend_above
 from ropewalk.plots.margin_notes import margin_notes
+from ropewalk.plots.room import Room
 from ropewalk.plots.sight import (
+    Floats,
     anchors_at,
     gone_ropes,
     good_frames,
@@ -53,6 +56,11 @@ from ropewalk.words.prefixes import prefixed
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+_MOST = 8  # places whose forces are told
+_NEAR = 0.02  # [1] of the drawing's size: anchors nearer to each other have one number
+_LETTERS = 8.0  # [pt]
+_WIDE = 5.6  # [inch] of the drawing, at most
+
 
 @styled
 def forces(result: Result, *, plane: str | None = None) -> Figure:
@@ -71,7 +79,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     figure = new_figure(7.2, height + 3.2)
     above, below = figure.subplots(2, 1, height_ratios=[height, 1.7])
     scale, colours, extend = colour_scale([result.tension[frame][result.live[frame]]])
-    pulled = _draw_shape(above, result, seen, frame, height, scale, colours)
+    pulls = _draw_shape(above, result, seen, frame, height, scale, colours)
     bar = figure.colorbar(
         ScalarMappable(scale, line_map(colours)),
         ax=above,
@@ -90,8 +98,7 @@ def forces(result: Result, *, plane: str | None = None) -> Figure:
     clipped = "the last good frame is drawn"
     notes = broken_note(result, good, clipped=clipped) + magnification_note(box)
     notes += margin_notes(result, frame, frame + 1)
-    if pulled:
-        notes.append("Orange arrows: the anchors' forces on the ropes.")
+    notes += pulls
     notes += given_notes(result.scene, gone=gone_ropes(result, frame))
     set_note(figure, notes)
     return figure
@@ -105,8 +112,8 @@ def _draw_shape(
     tall: float,
     scale: Normalize,
     colours: str,
-) -> bool:
-    """Draw the ropes and all that pulls on them, `tall` [inch]; return whether an anchor does."""
+) -> list[str]:
+    """Draw the ropes and all that pulls on them, `tall` [inch]; return what to say of anchors' forces."""
     points = seen.view.project(shown_positions(result, frame))
     ends = np.stack([points[:-1], points[1:]], axis=1)
     live = result.live[frame]
@@ -124,18 +131,18 @@ def _draw_shape(
             zorder=3,
         )
     )
-    pulled = _draw_forces(axes, result, seen, frame)
+    pulls = _draw_forces(axes, result, seen, frame, tall)
     draw_anchors(axes, result, seen.view, frame)
     draw_loads(axes, result, seen.view, frame)
     label(axes, seen.view)
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     wide = tall * (right - left) / ((high - low) * seen.box.magnified)  # with equal scales
     axes.xaxis.set_major_locator(MaxNLocator(int(np.clip(1.7 * wide, 2, 9))))
-    return pulled
+    return pulls
 
 
-def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> bool:
-    """Draw the anchors' forces as arrows, and write their sizes beside them; return whether there are any."""
+def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int, tall: float) -> list[str]:
+    """Draw the anchors' forces as arrows, and write their sizes beside them; return what to say of them."""
     holds = holding(result, float(result.time[frame]))
     forces = np.nan_to_num(result.reactions[frame][holds])  # NaN: of a rope that broke before
     sizes = np.linalg.norm(forces, axis=1)
@@ -144,33 +151,62 @@ def _draw_forces(axes: Axes, result: Result, seen: Backdrop, frame: int) -> bool
     if len(given):
         _make_room(axes, given)
     if not sizes.size or sizes.max() == 0.0:
-        return False
+        return []
     places, ways = seen.view.project(anchors_at(result, frame)), seen.view.project(forces)
-    shrink = np.array([1.0, 1.0 / seen.box.magnified])
-    tips = []
-    for place, way, size in zip(places, ways, sizes, strict=True):
-        if size <= 1e-9 * sizes.max():
-            continue
-        tip = place + reach * way * shrink
-        tips.append(tip)
+    drawn = np.flatnonzero(sizes > 1e-9 * sizes.max())
+    tips = places + reach * ways * (1.0, 1.0 / seen.box.magnified)
+    for row in drawn:
         axes.annotate(
             "",
-            xy=tuple(tip),
-            xytext=tuple(place),
+            xy=tuple(tips[row]),
+            xytext=tuple(places[row]),
             arrowprops={"arrowstyle": "-|>", "color": COLOURS[1], "linewidth": 1.3},
             annotation_clip=False,
         )
-        side = "left" if way[0] >= 0.0 else "right"
-        axes.annotate(
-            f" {prefixed(float(size), 'N')} ",
-            xy=tuple(tip),
-            ha=side if abs(way[0]) > 0.2 * size else "center",
-            va="bottom" if way[1] >= -0.2 * size else "top",
-            fontsize=8.0,
-            color=COLOURS[1],
-            annotation_clip=False,
-        )
-    _make_room(axes, np.array(tips))
+    _make_room(axes, tips[drawn])
+    notes = ["Orange arrows: the anchors' forces on the ropes."]
+    room = Room(axes, (_WIDE, tall), seen.box.magnified)
+    groups = _at_one_place(
+        places, drawn[np.argsort(-sizes[drawn], kind="stable")].tolist(), seen.box
+    )
+    groups.sort(key=lambda rows: (-float(f"{sizes[rows[0]]:.4g}"), -len(rows)))
+    written = [_write_size(axes, room, rows, tips, ways, sizes) for rows in groups[:_MOST]]
+    if not all(written) or len(groups) > _MOST:
+        notes.append("Where they stand close only the largest are told.")
+    return notes
+
+
+def _at_one_place(places: Floats, rows: list[int], box: Box) -> list[list[int]]:
+    """Return rows of anchors, those at one place together."""
+    near = _NEAR * max(box.width, box.high - box.low)
+    groups: list[list[int]] = []
+    for row in rows:
+        beside = (g for g in groups if np.linalg.norm(places[g[0]] - places[row]) < near)
+        group = next(beside, None)
+        if group is None:
+            groups.append([row])
+        else:
+            group.append(row)
+    return groups
+
+
+def _write_size(
+    axes: Axes, room: Room, rows: list[int], tips: Floats, ways: Floats, sizes: Floats
+) -> bool:
+    """Write the size of the first of forces at one place, the largest, where there is room; tell whether."""
+    tip, way, size = tips[rows[0]], ways[rows[0]], float(sizes[rows[0]])
+    words = prefixed(size, "N")
+    if len(rows) > 1:
+        words = f"{len(rows)} anchors, at most {words}"
+    side = "left" if way[0] >= 0.0 else "right"
+    ha = side if abs(way[0]) > 0.2 * size else "center"
+    if len(rows) > 1:  # long words
+        ha = room.side(tip, f" {words} ", wanted=ha, size=_LETTERS)
+    va = "bottom" if way[1] >= -0.2 * size else "top"
+    if not room.take(tip, f" {words} ", ha=ha, va=va, size=_LETTERS):
+        return False
+    style = {"fontsize": _LETTERS, "color": COLOURS[1], "annotation_clip": False}
+    axes.annotate(f" {words} ", xy=tuple(tip), ha=ha, va=va, **style)  # type: ignore[arg-type]
     return True
 
 
@@ -199,4 +235,4 @@ def _draw_profile(axes: Axes, result: Result, frame: int) -> None:
     axes.set_xlabel(arc_label(result, [span.name for span in result.layout.ropes]))
     scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     if 1 < len(curves) <= 8:
-        axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+        legend_above(axes)

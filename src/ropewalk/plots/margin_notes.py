@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.plots.style import escape
-from ropewalk.record.margins import breaking_load, doubt_words, margin_of, margin_words
+from ropewalk.record.extremes import extremes, margin
+from ropewalk.record.facts import AT_REST
+from ropewalk.record.margins import Margin, breaking_load, doubt_words, margin_of, margin_words
 from ropewalk.scene import Rope
-from ropewalk.words.percents import percent
+from ropewalk.words.safe_side import percent_up
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -26,7 +28,7 @@ def margin_notes(result: Result, first: int, stop: int) -> list[str]:
         if now is None or until is None:
             return []
         return [
-            f"{now[0]}{percent(100.0 * now[1], 3)} of the breaking load at this moment.",
+            f"{now[0]}{percent_up(100.0 * now[1], 3)} of the breaking load at this moment.",
             f"{until[0]}at most {margin_words(*until[1:3])} since the start{_more(until[3])}.",
         ]
     found = _nearest(result, first, stop)
@@ -46,6 +48,18 @@ def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str, st
 
     With what came of more than 1, and what guesses make of it.
     """
+    found = _margin(result, first, stop)
+    if found is None:
+        return None
+    whose = f"Rope {escape(found.name)}: " if len(result.scene.ropes) > 1 else "The rope: "
+    beyond = _beyond(result, result.scene.rope_named(found.name), stop)
+    return whose, found.utilisation, beyond, escape(doubt_words(result.scene, found))
+
+
+def _margin(result: Result, first: int, stop: int) -> Margin | None:
+    """Return how near these frames come; at rest as tables say, where an anchor bears more than a segment."""
+    if result.status == AT_REST:
+        return margin(result, extremes(result))
     shares = {}
     for rope in result.scene.ropes:
         load = breaking_load(rope)
@@ -54,12 +68,7 @@ def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str, st
             pull = (view.tension if stop == first + 1 else view.greatest_tension)[first:stop]
             largest = float(np.nanmax(np.where(np.isfinite(pull), pull, 0.0), initial=0.0))
             shares[rope.name] = largest / load
-    if not shares:
-        return None
-    found = margin_of(result.scene, shares)
-    whose = f"Rope {escape(found.name)}: " if len(result.scene.ropes) > 1 else "The rope: "
-    beyond = _beyond(result, result.scene.rope_named(found.name), stop)
-    return whose, found.utilisation, beyond, escape(doubt_words(result.scene, found))
+    return margin_of(result.scene, shares) if shares else None
 
 
 def _beyond(result: Result, rope: Rope, stop: int) -> str:

@@ -24,7 +24,8 @@ def mode_shapes(modes: Modes, *, most: int = _MOST) -> Figure:
     """Draw the shapes of the slowest modes, at most so many.
 
     Motion in the plane, and along the rope, is drawn in it, to both sides; motion out of the plane is
-    drawn as height over the rope's own length, for it cannot be seen otherwise.
+    drawn as height over the rope's own length, for it cannot be seen otherwise. A shape that lies in no
+    plane is seen from the side on which it is widest.
 
     Raises ValueError for no modes.
     """
@@ -53,7 +54,9 @@ def mode_shapes(modes: Modes, *, most: int = _MOST) -> Figure:
 
 
 def _sight(modes: Modes) -> Sight:
-    """Look across the plane of the shape, up upward."""
+    """Look across the plane of the shape, as far upright as it goes; of one in no plane, up upward."""
+    if modes.normal is not None:
+        return _sight_along(modes.normal, modes)
     points = modes.positions - modes.positions.mean(axis=0)
     up = np.array(modes.scene.up)
     level = points - np.outer(points @ up, up)
@@ -61,6 +64,18 @@ def _sight(modes: Modes) -> Sight:
     across = ways[0] if sizes[0] > 1e-9 * np.abs(points).max() else _any_across(up)
     across = across * np.sign(across[int(np.argmax(np.abs(across)))])
     return Sight(across, up, "across", "up")
+
+
+def _sight_along(normal: Floats, modes: Modes) -> Sight:
+    """Look along the normal by which motions are told to be in the plane or out of it."""
+    up = np.array(modes.scene.up)
+    across = np.cross(normal, up)
+    if np.linalg.norm(across) < 1e-6:  # a level plane, seen from above
+        across = _any_across(normal)
+    across = across / np.linalg.norm(across)
+    across = across * np.sign(across[int(np.argmax(np.abs(across)))])
+    upward = np.cross(normal, across)
+    return Sight(across, upward * (1.0 if upward @ up >= 0.0 else -1.0), "across", "up")
 
 
 def _any_across(up: Floats) -> Floats:

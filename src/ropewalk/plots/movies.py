@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import matplotlib
 import numpy as np
@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _DPI = 100
+_LAID_OUT = 3  # times a picture is laid out: in a wide, low one the first leaves words half outside
 _SAMPLED = 200  # frames from which the colour scale is taken
 _BROKEN = 1.0  # seconds shown of a break
 _STEP_SHOWN = 0.1  # seconds of the movie that a single step past a break is seen, at least
@@ -70,6 +71,7 @@ def movie(
     size: tuple[int, int] = (960, 540),
     speed: float = 1.0,
     plane: str | None = None,
+    window: tuple[float, float, float, float] | None = None,
     progress: Callable[[int, int], None] | None = None,
 ) -> Path:
     """Write a movie of a run as GIF (any machine) or MP4 (with ffmpeg) and return its path.
@@ -81,6 +83,8 @@ def movie(
         size: width and height in pixels.
         speed: simulated seconds per second of the movie; 1 is real time.
         plane: the two axes to look at, as "xz"; by default those that show most.
+        window: what to see of them [m]: left, right, lower and upper end, widened to fill the picture;
+            by default all that ropes come to.
         progress: called with the pictures done and those in all.
 
     Raises ValueError for arguments that make no movie, MovieError when ffmpeg is missing or fails,
@@ -88,7 +92,7 @@ def movie(
     """
     path = Path(path)
     _check(path, fps, size, speed)
-    seen = stage(result, plane, size)
+    seen = stage(result, plane, size, window_box(window))
     times = movie_times(result, fps, speed, seen.good)
     past = _past(result, fps)
     count = len(times) + len(past)
@@ -116,11 +120,26 @@ def movie(
     return path
 
 
-def stage(result: Result, plane: str | None, size: tuple[int, int]) -> Backdrop:
-    """Return the backdrop of a movie, which fills its pictures and has room for arrows."""
+def stage(
+    result: Result, plane: str | None, size: tuple[int, int], window: Box | None = None
+) -> Backdrop:
+    """Return the backdrop of a movie, which fills its pictures and has room for arrows, or is a window's."""
     seen = backdrop(result, plane)
-    seen = replace(seen, box=_filled(seen.box, size))  # in a wide box arrows are long
-    return with_room(result, seen)
+    seen = replace(seen, box=_filled(window or seen.box, size))  # in a wide box arrows are long
+    return seen if window else with_room(result, seen)
+
+
+def window_box(given: tuple[float, float, float, float] | None) -> Box | None:
+    """Return the box of a window [m]."""
+    if given is None:
+        return None
+    try:
+        left, right, low, high = (float(side + 0.0) for side in given)  # no strings
+    except (TypeError, ValueError):
+        left, right, low, high = [np.nan] * 4
+    if not (-np.inf < left < right < np.inf and -np.inf < low < high < np.inf):
+        raise ValueError(f"window: {given!r} - must be left, right, low and high [m]")
+    return Box(left, right, low, high)
 
 
 def _check(path: Path, fps: float, size: tuple[int, int], speed: float) -> None:
@@ -226,6 +245,7 @@ class _Painter:
         label(axes, seen.view)
         draw_still(axes, seen)
         self._rope = LineCollection([], cmap=self.colours, norm=self._scale, linewidths=LINE)
+        self._rope.set_capstyle("round")  # others leave gaps between segments
         axes.add_collection(self._rope)
         bar = figure.colorbar(self._rope, ax=axes, pad=0.02, shrink=0.9, extend=extend)
         scaled_axis(bar.ax, result.tension_name, "N", reach(self._scale))
@@ -233,16 +253,8 @@ class _Painter:
         self._tied = list(result.layout.tied_nodes)
         self._loads = axes.plot([], [], **LOAD)[0]  # type: ignore[arg-type]
         self._anchors = axes.plot([], [], **ANCHOR)[0]  # type: ignore[arg-type]
-        self._stamp = axes.text(
-            0.985,
-            0.97,
-            "",
-            transform=axes.transAxes,
-            ha="right",
-            va="top",
-            fontsize=11.0,
-            bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 2.0},
-        )
+        above: dict[str, Any] = {"transform": axes.transAxes, "ha": "right", "va": "bottom"}
+        self._stamp = axes.text(1.0, 1.015, "", fontsize=11.0, **above)
         pace = "real time" if speed == 1.0 else f"{speed:g} times real time"
         set_title(figure, result.scene.name, f"{method_and_step(result)}, {pace}")
         note = broken_note(result, seen.good, clipped="the broken rope leaves the picture")
@@ -255,7 +267,8 @@ class _Painter:
         self._moving = (*drawn, *self._forces.artists, self._stamp)
         for artist in self._moving:
             artist.set_animated(True)
-        self._canvas.draw()  # type: ignore[no-untyped-call]
+        for _ in range(_LAID_OUT):
+            self._canvas.draw()  # type: ignore[no-untyped-call]
         self._thick = seen.box.magnified == 1.0 and Strands.wide(axes, result)
         figure.set_layout_engine("none")
         self._still = self._canvas.copy_from_bbox(figure.bbox)  # type: ignore[no-untyped-call]
@@ -278,7 +291,7 @@ class _Painter:
         self._strands.artist.set_visible(thick)
         if thick:
             shades = self.colours(self._scale(moment.tension))
-            self._strands.show(moment.points, shades, live)
+            self._strands.show(moment.points, shades, live, moment.time)
         elif moment.broken:
             self._rope.set_array(None)
             self._rope.set_color(BROKEN)

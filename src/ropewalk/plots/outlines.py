@@ -24,7 +24,8 @@ _EDGE_ON = 1e-6  # [1] of a plane's normal that may point at the viewer
 _ROOM = (
     1.0  # times the ropes' extent: what of an obstacle is farther away need not be in the picture
 )
-_LOOK = {"facecolor": "#E3E6EA", "edgecolor": "#7B8794", "linewidth": 1.0}
+FACE = "#E3E6EA"
+_LOOK = {"facecolor": FACE, "edgecolor": "#7B8794", "linewidth": 1.0}
 
 
 class Outline(NamedTuple):
@@ -234,16 +235,16 @@ def _draw_surface(axes: Axes, one: Outline) -> list[PathPatch]:
     closed = np.concatenate([one.triangles, one.triangles[:, :1]], axis=1).reshape(-1, 2)
     codes = np.tile([Path.MOVETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY], len(one.triangles))
     seams = _LOOK | {"edgecolor": _LOOK["facecolor"], "linewidth": 0.3}
-    inside = PathPatch(Path(closed, codes), zorder=0.4, **seams)
+    inside = PathPatch(Path(closed, codes), zorder=0.52, **seams)
     pairs = np.tile([Path.MOVETO, Path.LINETO], len(one.lines))
-    rim = PathPatch(Path(one.lines.reshape(-1, 2), pairs), zorder=0.41, **_LOOK, fill=False)
+    rim = PathPatch(Path(one.lines.reshape(-1, 2), pairs), zorder=0.53, **_LOOK, fill=False)
     for patch in (inside, rim):
         axes.add_patch(patch)
     return [inside, rim]
 
 
 def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> list[PathPatch]:
-    """Draw obstacles behind everything else; return what was drawn."""
+    """Draw obstacles over the grid and behind everything else; return what was drawn."""
     drawn = []
     for one in outlines:
         if one.triangles is not None:
@@ -254,6 +255,6 @@ def draw_outlines(axes: Axes, outlines: Sequence[Outline]) -> list[PathPatch]:
         codes = np.concatenate(
             [[Path.MOVETO, *[Path.LINETO] * (len(part) - 1), Path.CLOSEPOLY] for part in parts]
         )
-        drawn.append(PathPatch(Path(vertices, codes), zorder=0.4, **_LOOK))
+        drawn.append(PathPatch(Path(vertices, codes), zorder=0.52, **_LOOK))
         axes.add_patch(drawn[-1])
     return drawn

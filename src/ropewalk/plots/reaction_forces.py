@@ -29,11 +29,17 @@ if TYPE_CHECKING:
 
 _PANELS = 6  # more anchors than that share one panel, with magnitudes only
 _LINES = 12
+MOST = "largest of all steps"
+_LIGHT = {"color": "0.6", "linewidth": 0.8, "zorder": 1.5}
 
 
 @styled
 def reactions(result: Result) -> Figure:
-    """Draw the force of each anchor on its rope over time: components and magnitude [N]."""
+    """Draw the force of each anchor on its rope over time: components and magnitude [N].
+
+    The light curve is the largest magnitude of all steps since the frame before, which limits are chosen by,
+    so that no peak between frames is missed.
+    """
     good = good_frames(result)
     names = [escape(name) for name in result.layout.anchor_names]
     forces = np.asarray(result.reactions)
@@ -57,6 +63,8 @@ def reactions(result: Result) -> Figure:
     else:
         figure = new_figure(7.2, 3.9)
         _draw_magnitudes(figure.add_subplot(), result, names, forces, good)
+        if result.has_extremes and result.frames > 1:
+            notes.append("Light steps: the largest of all steps since the frame before.")
         if len(names) > _LINES:
             notes.append(f"The {_LINES} largest of {len(names)} anchors are shown.")
     what = (
@@ -74,6 +82,13 @@ def magnitude(forces: Floats) -> Floats:
     return length
 
 
+def _greatest(result: Result, row: int) -> Floats | None:
+    """Return the largest force of an anchor in all steps since the frame before [N], (f,); None: not kept."""
+    if not result.has_extremes or result.frames < 2:
+        return None
+    return np.asarray(result.read("greatest_reactions", 0, result.frames)[:, row])
+
+
 def _known(sizes: Floats) -> Floats:
     """Return sizes of forces with 0 for those of ropes that broke before, which are NaN."""
     return np.nan_to_num(sizes, nan=0.0)
@@ -84,7 +99,10 @@ def _draw_anchor(
 ) -> None:
     """Draw one anchor's force; only the axes of `parts`, the others are always zero."""
     size = magnitude(force)
-    curves = [size, *(force[:, k] for k in range(3) if parts[k])]
+    most = _greatest(result, row)
+    curves = [*([] if most is None else [most]), size, *(force[:, k] for k in range(3) if parts[k])]
+    if most is not None:
+        axes.step(result.time, drawable(most, good, curves), where="pre", label=MOST, **_LIGHT)  # type: ignore[arg-type]
     black = {"color": "black", "linewidth": 1.6, "label": "magnitude", **lone(result)}
     axes.plot(result.time, drawable(size, good, curves), **black)
     for k in range(3):
@@ -116,11 +134,18 @@ def _draw_magnitudes(
 ) -> None:
     """Draw the magnitudes of many anchors in one panel."""
     sizes = magnitude(forces)
-    order = np.argsort(-_known(sizes[:good]).max(axis=0), kind="stable")[:_LINES]
+    peaks = [_greatest(result, row) for row in range(len(names))]
+    most = np.stack([sizes[:, row] if p is None else p for row, p in enumerate(peaks)], axis=1)
+    order = np.argsort(-_known(most[:good]).max(axis=0), kind="stable")[:_LINES]
+    shown = [most[:, row] for row in order]
     for number, row in enumerate(sorted(order)):
-        curve = drawable(sizes[:, row], good, [sizes[:, i] for i in order])
-        axes.plot(result.time, curve, label=names[row], **line_style(number), **lone(result))
-    largest = set_limits(axes, [sizes[:, row] for row in order], good)
+        style = line_style(number)
+        curve = drawable(sizes[:, row], good, shown)
+        axes.plot(result.time, curve, label=names[row], **style, **lone(result))
+        if peaks[row] is not None:
+            light = {**_LIGHT, "color": style["color"], "alpha": 0.5}
+            axes.step(result.time, drawable(most[:, row], good, shown), where="pre", **light)
+    largest = set_limits(axes, shown, good)
     _finish(axes, result, largest, good)
     axes.set_xlabel("time [s]")
     axes.figure.legend(loc="outside right upper")

@@ -55,6 +55,7 @@ from ropewalk.plots.torn import BROKEN, broken_note, broken_shapes
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
+_COLUMNS = 1.6  # [1] how wide shapes side by side are together, over their height
 _FEW = 8  # so many times are named one by one, more get a colour bar
 
 
@@ -90,7 +91,9 @@ def shape(
     gone = gone_ropes(result, good[-1]) if good else ()
     notes += given_notes(result.scene, gone=gone, arrows=bool(good) and not upright)
     if upright:
-        notes.append("The shapes are set side by side; each is upright above its time.")
+        notes.append(
+            "The shapes are set side by side, to one scale; each is upright above its time."
+        )
     set_note(figure, notes)
     return figure
 
@@ -171,7 +174,8 @@ def draw_points(
         axes.plot([], [], color=colour, label=name)
         live = live_segments(result, time) & np.isfinite(places[:-1] + places[1:]).all(axis=1)
         strands = Strands(axes, result, seen.view)
-        strands.show(places, np.tile(to_rgba(colour), (len(live), 1)), live)  # type: ignore[arg-type]
+        shades: Floats = np.tile(to_rgba(colour), (len(live), 1))  # type: ignore[arg-type]
+        strands.show(places, shades, live, min(time, float(result.time[-1])))
         strands.artist.set_zorder(2.0)
         return
     points = seen.view.project(places)
@@ -237,26 +241,29 @@ def _upright(result: Result, seen: Backdrop, frames: list[int]) -> bool:
 
 
 def _draw_upright(axes: Axes, result: Result, seen: Backdrop, frames: list[int]) -> None:
-    """Draw the shapes side by side, one column per time."""
+    """Draw the shapes side by side, one column per time, to equal scales."""
     view, colours = seen.view, times_map()
     good = [f for f in frames if f < seen.good]
+    apart = _COLUMNS * (seen.box.high - seen.box.low) / len(good)  # [m] from one column to the next
     draw_still(axes, seen)
     for column, frame in enumerate(good):
         colour = colours(column / max(len(good) - 1, 1))
         points = view.project(shown_positions(result, frame))
         middle = 0.5 * (np.nanmin(points[:, 0]) + np.nanmax(points[:, 0]))  # NaN: broke before
         for line in rope_lines(result, points, float(result.time[frame])):
-            axes.plot(
-                line[:, 0] - middle + column, line[:, 1], color=colour, marker=".", markersize=4.0
-            )
+            across = line[:, 0] - middle + column * apart
+            axes.plot(across, line[:, 1], color=colour, marker=".", markersize=4.0)
         anchors = held_nodes(result, float(result.time[frame]))
         for nodes, style in ((load_nodes(result), LOAD), (anchors, ANCHOR)):
             if nodes:
                 at = points[nodes]
                 own = {**style, "color": colour, "markeredgecolor": "black"}
-                axes.plot(at[:, 0] - middle + column, at[:, 1], **own)  # type: ignore[arg-type]
-    axes.set_xticks(range(len(good)), [f"{result.time[f]:.4g}" for f in good])
-    axes.set_xlim(-0.6, len(good) - 0.4)
+                axes.plot(at[:, 0] - middle + column * apart, at[:, 1], **own)  # type: ignore[arg-type]
+    axes.set_aspect("equal")
+    axes.set_xticks(
+        [column * apart for column in range(len(good))], [f"{result.time[f]:.4g}" for f in good]
+    )
+    axes.set_xlim(-0.6 * apart, (len(good) - 0.4) * apart)
     axes.set_ylim(seen.box.low, seen.box.high)
     axes.grid(False, axis="x")
     axes.set_xlabel("time [s]")

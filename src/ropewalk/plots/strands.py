@@ -7,8 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
+from matplotlib.colors import to_rgba
 from numpy.typing import NDArray
 
+from ropewalk.plots.behind import Obstacles
+from ropewalk.plots.outlines import FACE
 from ropewalk.plots.sight import Floats, Sight, along, parted_segments
 
 if TYPE_CHECKING:
@@ -16,6 +19,7 @@ if TYPE_CHECKING:
 
 LINE = 2.2  # width of a rope that is drawn as a line [points]
 _EDGE = 1.3  # width with a white edge, in diameters: where strands cross one sees which is nearer
+_PALE = 0.8  # [1] of an obstacle's colour in that of a strand behind it
 _MITRE = 1.5  # at most: how much wider a bend is
 
 
@@ -28,6 +32,7 @@ class Strands:
         self._half = np.zeros(result.layout.segments)  # [m]
         for span, rope in zip(result.layout.ropes, result.scene.ropes, strict=True):
             self._half[span.first : span.last] = 0.5 * rope.diameter
+        self._obstacles = Obstacles(result, self._toward)
         self.artist = PolyCollection([], closed=True)
         axes.add_collection(self.artist)
 
@@ -36,23 +41,30 @@ class Strands:
         """Whether the thickest rope is wider than a line, on axes that have been laid out."""
         return max(rope.diameter for rope in result.scene.ropes) > LINE / points_per_metre(axes)
 
-    def show(self, places: Floats, colours: Floats, live: NDArray[np.bool_]) -> None:
-        """Draw segments between nodes at places [m], (n, 3), with colours (s, 4); only those that live."""
+    def show(self, places: Floats, colours: Floats, live: NDArray[np.bool_], time: float) -> None:
+        """Draw segments between nodes at places [m], (n, 3), with colours (s, 4); only those that live.
+
+        What an obstacle hides at a time [s] is pale, as if it were seen through it.
+        """
         points = self._view.project(places)
         half = np.maximum(
             self._half, 0.5 * LINE / points_per_metre(self._axes)
         )  # never out of sight
         inner, outer = (ribbon(points, live, share * half) for share in (1.0, _EDGE))
-        depth = along(places, self._toward)
-        order = np.argsort(depth[:-1] + depth[1:], kind="stable")
-        order = order[live[order]]
-        pairs = np.stack([np.ones_like(colours[order]), colours[order]], axis=1).reshape(-1, 4)
-        shades = [(r, g, b, a) for r, g, b, a in pairs.tolist()]
-        corners = np.stack([outer[order], inner[order]], axis=1).reshape(-1, 4, 2)
-        self.artist.set_verts(list(corners))
-        self.artist.set_facecolor(shades)
-        self.artist.set_edgecolor(shades)
-        self.artist.set_linewidth([0.0, 0.9] * len(order))  # no gaps between neighbours
+        middle = 0.5 * (places[:-1] + places[1:])
+        hidden = self._obstacles.hide(places, half, time)[:, None]
+        face, white = to_rgba(FACE), np.ones(4)
+        shades = np.where(hidden, _PALE * np.array(face) + (1.0 - _PALE) * colours, colours)
+        shades = np.concatenate([np.where(hidden, face, white), shades])
+        # A white edge comes before its neighbours, which it would cut, and after what is a diameter farther.
+        depth = along(middle, self._toward)
+        order = np.argsort(np.concatenate([depth - half, depth]), kind="stable")
+        order = order[np.tile(live, 2)[order]]
+        drawn = [(r, g, b, a) for r, g, b, a in shades[order].tolist()]
+        self.artist.set_verts(list(np.concatenate([outer, inner])[order]))
+        self.artist.set_facecolor(drawn)
+        self.artist.set_edgecolor(drawn)
+        self.artist.set_linewidth(np.where(order < len(live), 0.0, 0.9).tolist())  # no gaps
 
 
 def points_per_metre(axes: Axes) -> float:

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from ropewalk.lowering import Span
 from ropewalk.plots.arcs import IN_SEGMENTS, arc_label, laid_lengths, segment_arcs
 from ropewalk.plots.curves import mark_break, time_limits
+from ropewalk.plots.legends import legend_above
 from ropewalk.plots.margin_notes import margin_notes
 from ropewalk.plots.sight import Floats, frame_at, good_frames, limits
 from ropewalk.plots.style import (
@@ -79,7 +80,7 @@ def tension(
     figure = new_figure(7.2, min(1.3 + max(1.35, 2.9 - 0.5 * len(shown)) * rows, 10.0))
     grid = figure.subplots(rows, 1, squeeze=False)[:, 0]
     for number, axes, found in zip(shown, grid, maps, strict=False):
-        image = draw_map(axes, result, found, scale, colours, good)
+        image = draw_map(axes, result, found, scale, colours)
         axes.set_ylabel(found.label)
         axes.set_xlim(*time_limits(result, good))
         mark_break(axes, result, good)
@@ -203,20 +204,17 @@ def line_map(name: str) -> Colormap:
     return times_map()
 
 
-def draw_map(
-    axes: Axes, result: Result, found: Map, scale: Normalize, colours: str, good: int
-) -> Any:
+def draw_map(axes: Axes, result: Result, found: Map, scale: Normalize, colours: str) -> Any:
     """Draw a tension map as an image; rope that is not there stays white."""
-    time, values = result.time, thinned(farthest(found))
+    values = thinned(farthest(found))
     with np.errstate(all="ignore"):
         values = np.clip(values, -1e30, 1e30)
-    half = 0.5 * float(time[-1] - time[0]) / max(len(time) - 1, 1) or 0.5
     axes.grid(False)
     return axes.imshow(
         values.T,
         origin="lower",
         aspect="auto",
-        extent=(float(time[0]) - half, float(time[-1]) + half, 0.0, found.length),
+        extent=(*_times_of(result), 0.0, found.length),
         interpolation="nearest",
         norm=scale,
         cmap=colours,
@@ -224,10 +222,28 @@ def draw_map(
     )
 
 
+def _times_of(result: Result) -> tuple[float, float]:
+    """Return where the first column of an image begins and the last ends [s].
+
+    What is of all steps since the frame before ends at the frame; what is of the frame alone lies about it.
+    """
+    time = result.time
+    interval = float(time[-1] - time[0]) / max(len(time) - 1, 1) or 1.0
+    joined = _joined(len(time))
+    columns = -(-len(time) // joined)
+    first = float(time[0]) - interval * (1.0 if _has_band(result) else 0.5)
+    return first, first + columns * joined * interval
+
+
+def _joined(count: int) -> int:
+    """Return how many neighbours of so many are one column, or row, of an image."""
+    return -(-count // _PIXELS)
+
+
 def thinned(values: Floats) -> Floats:
     """Join neighbouring frames and segments where there are too many, keeping the largest size."""
     for axis in (0, 1):
-        step = -(-values.shape[axis] // _PIXELS)
+        step = _joined(values.shape[axis])
         if step > 1:
             values = np.moveaxis(values, axis, 0)
             groups = [values[i : i + step] for i in range(0, len(values), step)]
@@ -262,7 +278,7 @@ def _draw_profiles(
     axes.set_ylim(*limits(curves))
     axes.set_xlim(0.0, max(found.length for found in maps))
     axes.set_xlabel(" or ".join(dict.fromkeys(found.label for found in maps)))
-    axes.legend(ncols=min(number + 1, 6), fontsize=8.0, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    legend_above(axes)
 
 
 def _has_band(result: Result) -> bool:

@@ -31,7 +31,7 @@ def broken_note(
     time = result.time
     if any(end.frames < good for end in result.ends):
         return [
-            f"Broken: {shortly(result.ends)}. Their numbers end there; sums count them as they were."
+            f"Ended early: {shortly(result.ends)}. Their numbers end there; sums count them as they were."
         ]
     if good < len(time):
         return [f"The run broke after t = {time[good - 1]:.4g} s: {clipped}."]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.record.quantities import CONTACT_WORK
+from ropewalk.record.quantities import CONTACT_WORK, WORKS
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -19,7 +19,7 @@ def told(result: Result, name: str, array: Floats) -> Floats:
     Works [J] are NaN of a run without a ledger, where zeros stand. What contacts have stored at the start,
     which their books have, is no work.
     """
-    if name not in ("work", CONTACT_WORK):
+    if name not in WORKS:
         return array
     if not result.facts.ledger:
         return np.full(array.shape, np.nan)

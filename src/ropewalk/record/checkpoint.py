@@ -22,6 +22,9 @@ from ropewalk.record.errors import RunError
 from ropewalk.record.files import PARTIAL, reading
 from ropewalk.record.place import CHECKPOINT as NAME
 from ropewalk.simulation import Snapshot
+from ropewalk.simulation.snapshot import GROWN, MET, lengthened
+
+SWEPT = "state.memory.contact.swept"
 
 
 @dataclass(frozen=True)
@@ -69,9 +72,11 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
     Raises RunError when it is missing, damaged, or of another model.
     """
     path, found = folder / NAME, read(folder)
+    # those of older versions have none
+    known = {"layout": np.asarray(like.layout), SWEPT: like.state.memory.contact.swept}
     try:
         return Checkpoint(
-            _fill(like, _apart(found), ""),
+            _fill(like, known | _apart(found), ""),
             int(found["run.frames"]),
             str(found["run.source_hash"]),
             float(found["run.seconds"]),
@@ -125,7 +130,10 @@ def _fill(like: Any, found: dict[str, Any], prefix: str) -> Any:
             values.append(_fill(item, found, f"{key}."))
             continue
         array, old = found[key], np.asarray(item)
-        if array.shape != old.shape or array.dtype != old.dtype:
+        if key in GROWN and array.ndim == old.ndim > 0:
+            array = lengthened(array, old)
+        met = key in MET and array.ndim == 1  # that it is of these ropes is seen later on
+        if (array.shape != old.shape and not met) or array.dtype != old.dtype:
             raise _MisfitError(f"{key} does not fit the scene")
         values.append(array if isinstance(item, np.ndarray) else array.item())
     return type(like)(*values)

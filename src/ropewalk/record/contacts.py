@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
-from ropewalk.lowering import Model, Span, build
+from ropewalk.lowering import Layout, Model, Span, build
 from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, stretches
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
 from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS, has_rope
@@ -19,6 +20,7 @@ from ropewalk.record.rope_contact_table import modes_on_ropes
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
 
 RANK = np.array(
     [0, 1, 3, 2], np.int8
@@ -127,6 +129,48 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
     return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
 
 
+class Lying(NamedTuple):
+    """One stretch of a rope on one obstacle at one time."""
+
+    rope: int  # its number
+    obstacle: int
+    rows: Ints  # of its contacts
+    first: int  # node of the rope
+    last: int
+    angle: float  # by which the rope turns there towards the obstacle [rad]
+    before: float  # tension of the segment before the first node [N]; 0 at the rope's end
+    after: float  # ... after the last node
+    at_slip: float  # ratio of tensions at which it slips, see `Contacts.at_slip` [1]
+
+    @property
+    def ratio(self) -> float:
+        """The larger tension over the smaller [1]; NaN where that pulls nothing."""
+        low, high = sorted((self.before, self.after))
+        return high / low if low > 0.0 else np.nan
+
+
+def lying(
+    scene: Scene,
+    layout: Layout,
+    contacts: Contacts,
+    tension: Floats,
+    only: Sequence[int] | None = None,
+) -> Iterator[Lying]:
+    """Yield the stretches of ropes on obstacles, rope by rope, from contacts and tensions (s,) [N].
+
+    With `only` those on some obstacles.
+    """
+    for number, span in enumerate(layout.ropes):
+        own = (contacts.node >= span.first) & (contacts.node <= span.last)
+        for o in np.unique(contacts.obstacle[own]).tolist():
+            if only is not None and o not in only:
+                continue
+            mu = scene.obstacles[o].friction_with(scene.rope_named(span.name))
+            for here in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
+                lies = _lies(span, contacts, here, tension)
+                yield Lying(number, o, here, *lies, contacts.at_slip(mu, here))
+
+
 def _lies(
     span: Span, contacts: Contacts, rows: Ints, tension: Floats
 ) -> tuple[int, int, float, float, float]:
@@ -158,11 +202,29 @@ def each_frame(
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
-            then = table if turning is None else at_rates(table, turning[frame], t)
-            # neither on a drum nor parted
+            wheels = None if turning is None else turning[frame]
             there = has_rope(result.layout, rest[frame : frame + 1], lengths)[0]
-            contacts = contacts_at(then, now[0], now[1], now[2], there.astype(float), t, only)
+            contacts = touching(table, now[0], now[1], now[2], there, wheels, t, only)
             yield frame, contacts if apart else _told(model, now[0], contacts)
+
+
+def touching(
+    table: Obstacles,
+    x: Floats,
+    v: Floats,
+    force: Floats,
+    there: NDArray[np.bool_],
+    wheels: Floats | None,
+    t: float,
+    only: Sequence[int] | None = None,
+) -> Contacts:
+    """Return the contacts at one time [s], from places, velocities and obstacles' forces (3, n) [m, m/s, N].
+
+    `there` (s,) tells which segments are rope, neither on a drum nor parted; `wheels` are rows of
+    `wheel_rows.RECORDED`, None where nothing turns freely; for `only` see `contacts_at`.
+    """
+    then = table if wheels is None else at_rates(table, wheels, t)
+    return contacts_at(then, x, v, force, there.astype(float), t, only)
 
 
 def _told(model: Model, x: Floats, contacts: Contacts) -> Contacts:
@@ -229,33 +291,23 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
     Each is whole, and there where one of its nodes is `wanted`.
     The angle is that towards the obstacle: what turns within a floor, or lies in a trough, is not held by it.
     The ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
-    exp(mu angle) for a rope without weight.
+    `Contacts.at_slip`, of a rope without weight: exp(mu angle) where it turns towards the surface alone.
     """
     found: list[tuple[object, ...]] = []
     tension = result.tension
     for frame, contacts in each_frame(result, frames):
         power = (contacts.rub * contacts.slip).sum(axis=1)
-        for span in result.layout.ropes:
-            own = (contacts.node >= span.first) & (contacts.node <= span.last)
-            for o in np.unique(contacts.obstacle[own]):
-                body = result.scene.obstacles[o]
-                mu = body.friction_with(result.scene.rope_named(span.name))
-                for here in stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o))):
-                    if not np.isin(contacts.node[here], wanted).any():
-                        continue
-                    lies = _lies(span, contacts, here, tension[frame])
-                    _, _, angle, *both = lies
-                    low, high = sorted(both)
-                    found.append(
-                        (
-                            *(result.time[frame], span.name, body.name, *lies),
-                            *(
-                                high / low if low > 0.0 else np.nan,
-                                np.exp(mu * angle),
-                            ),
-                            *(contacts.push[here].sum(), power[here].sum()),
-                        )
-                    )
+        for wrap in lying(result.scene, result.layout, contacts, tension[frame]):
+            if not np.isin(contacts.node[wrap.rows], wanted).any():
+                continue
+            found.append(
+                (
+                    *(result.time[frame], result.layout.ropes[wrap.rope].name),
+                    *(result.scene.obstacles[wrap.obstacle].name, wrap.first, wrap.last),
+                    *(wrap.angle, wrap.before, wrap.after, wrap.ratio, wrap.at_slip),
+                    *(contacts.push[wrap.rows].sum(), power[wrap.rows].sum()),
+                )
+            )
     columns = list(zip(*found, strict=True)) or [()] * len(WRAP_COLUMNS)
     words = ("rope", "obstacle")
     return [

@@ -13,7 +13,7 @@ from ropewalk.record.obstacle_table import swings
 from ropewalk.record.place import DATA
 from ropewalk.record.quantities import (
     BY_NAME,
-    CONTACT_WORK,
+    WORKS,
     joined,
     labels,
     rest_length_at_start,
@@ -143,7 +143,7 @@ def make_dataset(result: Result) -> RunDataset:
 
         store = RunStore(result.folder / DATA, source=result.source)
         stored: xr.Dataset = xr.open_zarr(store, chunks=None)
-        books = [name for name in ("work", CONTACT_WORK) if name in stored]
+        books = [name for name in WORKS if name in stored]
         works = {
             name: stored[name].copy(data=told(result, name, stored[name].values)) for name in books
         }

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 def rope_place(result: Result, noun: str, index: int, time: float) -> str:
     """Return where a node or a segment ("node", "segment") of this index in the arrays is at a time [s].
 
-    By the frame at that time, or the first one after it. What has parted counts as off the drum.
+    By the frame at that time; between two frames what is off the drum in either counts as off. So does what
+    has parted.
     """
     name, number = result.layout.rope_of(index)
     plain = f"{noun} {number} of rope {name!r}"
@@ -44,11 +45,16 @@ def rope_place(result: Result, noun: str, index: int, time: float) -> str:
 
 
 def off_drums(result: Result, span: Span, time: float) -> Ints:
-    """Return which segments of a rope, counted along it, are not on a drum, in order."""
+    """Return which segments of a rope, counted along it, are not on a drum, in order.
+
+    Between two frames those of either: what is reeled in before the next one has carried what it did.
+    """
     frame = min(int(np.searchsorted(result.time, time)), result.good_frames - 1)
-    rest = result.read("rest_length", frame, frame + 1)[0]
+    first = frame if time >= result.time[frame] else max(frame - 1, 0)
+    rest = result.read("rest_length", first, frame + 1)
     lengths = [rope.segment_length for rope in result.scene.ropes]
-    there = has_rope(result.layout, rest, lengths)[span.first : span.last]
+    seen = has_rope(result.layout, rest, lengths)[:, span.first : span.last]
+    there = np.logical_or.reduce(seen, axis=0)
     for one in result.partings:
         if one.rope == span.name and one.time <= time:
             there[span.spare_start + one.segment] = True

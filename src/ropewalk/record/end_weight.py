@@ -14,6 +14,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.margins import breaking_load
 from ropewalk.words.percents import percent
+from ropewalk.words.safe_side import percent_up
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout
@@ -89,7 +90,7 @@ def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
         return ""
     more = percent(100.0 * (force / peak.value - 1.0))
     load = breaking_load(result.scene.rope_named(result.layout.rope_of(peak.place)[0]))
-    share = "" if load is None else f", {percent(100.0 * force / load, 3)} of the breaking load"
+    share = "" if load is None else f", {percent_up(100.0 * force / load, 3)} of the breaking load"
     return (
         f"the anchor bears {force:.6g} N, half a segment's weight more ({more}){share}; "
         "more segments bring the two together"

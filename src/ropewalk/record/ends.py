@@ -13,7 +13,7 @@ _NAMED = 3  # ends that are told of one by one
 
 @dataclass(frozen=True)
 class End:
-    """The end of some ropes that belong together: of one, as a rule."""
+    """The end of some ropes that belong together: of one, as a rule. They broke, or met what had ended."""
 
     ropes: tuple[str, ...]
     time: float  # of their last good frame [s]
@@ -40,12 +40,12 @@ def in_words(ends: tuple[End, ...], ropes: int) -> str:
     told = [end.why for end in ends[:_NAMED]]
     if len(ends) > _NAMED:
         more = counted(sum(len(end.ropes) for end in ends[_NAMED:]), "more rope")
-        told.append(f"{more} broke after that.")
+        told.append(f"{more} ended after that.")
     left = ropes - sum(len(end.ropes) for end in ends)
     if left > 0:
         whole = "the other rope" if left == 1 else f"the other {left} ropes"
         told.append(f"{whole.capitalize()} went on.")
-    return " ".join(told)
+    return " ".join([*(f"{why.removesuffix('.')}." for why in told[:-1]), told[-1]])
 
 
 def shortly(ends: tuple[End, ...]) -> str:

@@ -10,6 +10,8 @@ import json
 from pathlib import Path
 from typing import Any
 
+from ropewalk.hands.drum import PARTED
+from ropewalk.methods.registry import METHODS
 from ropewalk.record.facts import BROKE, ROPE_BROKE, now
 from ropewalk.record.place import EVENTS as NAME
 from ropewalk.record.seal import log_fault, sealed_line
@@ -62,16 +64,19 @@ def read_events(folder: Path) -> tuple[Event, ...]:
     return tuple(found)
 
 
-def until(events: tuple[Event, ...], time: float) -> tuple[Event, ...]:
-    """Leave out what happened in the scene after a time [s].
+def until(events: tuple[Event, ...], time: float, method: str) -> tuple[Event, ...]:
+    """Leave out what happened in the scene after a frame of a time [s], by a method of integration.
 
-    A killed run has told of what was never committed; one that is resumed simulates it again.
+    A killed run has told of what was never committed; one that is resumed simulates it again. `adaptive`
+    parts, at that very time, after the frame.
     """
-    return tuple(
-        event
-        for event in events
-        if not _is_of_the_scene(event) or float(event.get("time", 0.0)) <= time
-    )
+    late = () if METHODS[method].fixed else (PARTED, RAN_OFF)
+
+    def is_in(event: Event) -> bool:
+        at = float(event.get("time", 0.0))
+        return at < time or (at == time and event["event"] not in late)
+
+    return tuple(event for event in events if not _is_of_the_scene(event) or is_in(event))
 
 
 def _is_of_the_scene(event: Event) -> bool:

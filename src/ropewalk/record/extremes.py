@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import EXTREMES
@@ -67,6 +68,24 @@ def extremes(result: Result) -> dict[str, Extreme]:
     """
     found = _of_steps(result) if result.has_extremes else _of_frames(result)
     return found | _utilisation(result, found["greatest tension"])
+
+
+def had_rope(result: Result, start: int = 0, stop: int | None = None) -> NDArray[np.bool_]:
+    """Tell where there was rope at any step since the frame before, (frames, segments).
+
+    What has parted since, or been reeled in, is not `live` in the frame itself. Zeros stand where a run that
+    keeps extremes has seen no rope: slack rope has at least its stretch. Of any other run the frames tell.
+    """
+    if "rest_length" in result.source.names:
+        rest = result.read("rest_length", start, stop)
+    else:
+        rest = result.rest_length[start:stop]
+    found = has_rope(result.layout, rest, [rope.segment_length for rope in result.scene.ropes])
+    if result.has_extremes:
+        found |= result.read("greatest_stretch", start, stop) > 0.0
+        for name in ("least_tension", "greatest_tension"):
+            found |= result.read(name, start, stop) != 0.0
+    return found
 
 
 def _of_steps(result: Result) -> dict[str, Extreme]:

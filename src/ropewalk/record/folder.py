@@ -187,7 +187,7 @@ def open_parts(folder: Path) -> tuple[Scene, Facts, Stored]:
         check_scene(folder, scene, facts)
         if facts.status in (RUNNING, INTERRUPTED):
             last = float(stored.read("time", stored.frames - 1)[0])
-            facts = facts.but(events=until(facts.events, last))
+            facts = facts.but(events=until(facts.events, last, facts.plan.method))
     except PermissionError:
         raise RunError(folder, "cannot be read: there is no permission") from None
     return scene, facts, stored

@@ -35,6 +35,8 @@ FOLDERS = (
     "hands",
     "simulation",
 )
+#: ... and what puts a state back, and decides who goes on after a break.
+FILES = ("record/checkpoint.py", "record/resume.py", "record/run.py", "record/simulate.py")
 REMEMBERED = (
     "sources.json"  # hashes of syntax trees by those of their files; parsing takes a second
 )
@@ -43,7 +45,8 @@ MOST_REMEMBERED = 2000
 
 def sources() -> list[Path]:
     """Return the files that decide what a run computes."""
-    return [path for folder in FOLDERS for path in sorted((PACKAGE / folder).rglob("*.py"))]
+    found = [path for folder in FOLDERS for path in sorted((PACKAGE / folder).rglob("*.py"))]
+    return found + [PACKAGE / name for name in FILES]
 
 
 @cache

@@ -9,8 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.scene.guess import COMPUTE, doubt_of, guesses_of, load_doubt, worst_of
-from ropewalk.words.percents import percent
-from ropewalk.words.safe_side import safety_factor
+from ropewalk.words.safe_side import percent_up, safety_factor
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout
@@ -101,7 +100,7 @@ def margin_rows(margin: Margin, place: str, scene: Scene) -> dict[str, Any]:
 
 def margin_words(utilisation: float, beyond: str = "it would have parted") -> str:
     """Return how near to breaking, as a sentence without its full stop; `beyond` it, what comes of that."""
-    text = f"{percent(100.0 * utilisation, 3)} of the breaking load"
+    text = f"{percent_up(100.0 * utilisation, 3)} of the breaking load"
     if utilisation > 0.0:
         text += f", safety factor {safety_factor(utilisation)}"
     return text + (f"; {beyond}" if beyond and utilisation > 1.0 else "")

@@ -32,7 +32,7 @@ def moment_note(result: Result, moment: Extreme) -> str:
     name, _ = result.layout.rope_of(node)
     rope, span = result.scene.rope_named(name), result.layout.span(name)
     frame = min(int(np.searchsorted(result.time, moment.until)), result.good_frames - 1)
-    beside = _beside(result, span, node, moment.until)
+    beside = _beside(result, span, node, float(result.time[frame]))
     tension = float(result.read("tension", frame, frame + 1)[0, beside].max(initial=0.0))
     if not 0.0 < tension < math.inf:
         return ""

@@ -1,27 +1,34 @@
-"""Rows of a run's table about pulleys that turn freely and about what slides along ropes.
+"""Rows about pulleys that turn freely and about what slides along ropes, of a run's table and of their own.
 
-Of the recorded frames: between two of them there may be more, and the rows say so.
+Of the recorded frames: between two of them there may be more, and the rows of the run's table say so.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.record.event_log import RAN_OFF
 from ropewalk.record.extremes import SEEN
 from ropewalk.record.quantities import PULLEYS, has_rope
+from ropewalk.statics.slide_bumps import SHARP, bump_words, turn_at
 
 if TYPE_CHECKING:
     from ropewalk.laws.slides.table import Slides
     from ropewalk.record.result import Result
 
 _VALUES = 2_000_000  # numbers of one quantity looked at together
+_TOLD = 4  # slides that a row names
 _RATE = 1  # column of the quantity pulleys
+SLIDE_COLUMNS = (
+    *("time [s]", "slide", "rope", "along"),
+    *("place [m]", "speed [m/s]", "load [N]", "speed of the rope's centre of mass [m/s]"),
+)
 
 
 class SlideMotion(NamedTuple):
@@ -39,7 +46,7 @@ class SlideMotion(NamedTuple):
 
 def moving_rows(result: Result) -> dict[str, Any]:
     """Return the rows of pulleys and of slides; nothing where there are none."""
-    return _pulley_rows(result) | _slide_rows(result)
+    return _of_pulleys(result) | _of_slides(result)
 
 
 def slide_motion(result: Result, name: str) -> SlideMotion:
@@ -50,8 +57,36 @@ def slide_motion(result: Result, name: str) -> SlideMotion:
     row, parts = names.index(name), list[SlideMotion]()
     table, masses = _slides(result), _masses(result, row)
     for start, stop in _pieces(result, result.frames):
-        parts.append(_piece(result, row, table, masses, start, stop))
+        parts.append(_piece(result, row, table, masses, start, stop)[0])
     return SlideMotion(*(np.concatenate(column) for column in zip(*parts, strict=True)))
+
+
+def slide_rows(result: Result, nodes: Ints) -> Callable[[Ints], list[NDArray[np.generic]]]:
+    """Return what makes the columns at some frames: a row a frame for each slide of one of some nodes.
+
+    `place` is of the line's unstretched rope, NaN once the slide has run off. All frames are looked at
+    once: where a slide is follows from where it was.
+    """
+    found: list[tuple[tuple[str, str, str], SlideMotion]] | None = None
+    wanted = set(nodes.tolist())
+    slides = [s for s in result.scene.slides if result.layout.node(s.node, s.rope) in wanted]
+
+    def columns(frames: Ints) -> list[NDArray[np.generic]]:
+        nonlocal found
+        if found is None:
+            found = [((s.name, s.rope, s.on), slide_motion(result, s.name)) for s in slides]
+        times = np.repeat(result.time[frames], len(found))
+        named = [
+            np.array([labels[k] for labels, _ in found] * len(frames), dtype=object)
+            for k in range(3)
+        ]
+        values = [
+            np.array([motion[k][frames] for _, motion in found]).reshape(len(found), -1).T.ravel()
+            for k in range(len(SlideMotion._fields))
+        ]
+        return [times, *named, *values]
+
+    return columns
 
 
 def ran_off_at(result: Result, name: str) -> float:
@@ -80,7 +115,7 @@ def axle_loads(result: Result, frames: range) -> Floats:
     return np.asarray(np.linalg.norm(found, axis=2))
 
 
-def _pulley_rows(result: Result) -> dict[str, Any]:
+def _of_pulleys(result: Result) -> dict[str, Any]:
     """Return the largest rate and the largest load on an axle."""
     names = result.layout.pulleys
     if not names or "contact_force" not in result.source.names:
@@ -98,22 +133,27 @@ def _pulley_rows(result: Result) -> dict[str, Any]:
     }
 
 
-def _slide_rows(result: Result) -> dict[str, Any]:
+def _of_slides(result: Result) -> dict[str, Any]:
     """Return speeds, load and places of what slides."""
     slides = result.scene.slides
     if not slides:
         return {}
     table, best, last = _slides(result), dict[str, tuple[float, str]](), list[str]()
+    sharp = list[tuple[float, str]]()
     for row, slide in enumerate(slides):
-        masses, said = _masses(result, row), f"slide {slide.name!r}"
+        masses, said, turned = _masses(result, row), f"slide {slide.name!r}", list[Floats]()
         for start, stop in _pieces(result, result.good_frames):
-            found = _piece(result, row, table, masses, start, stop)
+            found, turns = _piece(result, row, table, masses, start, stop)
+            turned.append(np.stack([found.load, turns]))
             for title, values in zip(SlideMotion._fields, found, strict=True):
                 frame = int(np.argmax(np.where(np.isfinite(values), values, -np.inf)))
                 where = f"{said}, {found.place[frame]:.5g} m along {slide.on!r}"
                 there = f"rope {slide.rope!r}, {where}" if title == "carried" else where
                 words = f"{said} along {slide.on!r}" if title == "place" else there
                 _keep(best, title, values[:, None], [words], result.time[start:stop])
+        turn = _sharpest_loaded(*np.concatenate(turned, axis=1))
+        if turn > SHARP:
+            sharp.append((turn, bump_words(slide.name, slide.on, turn, "up to ")))
         off = ran_off_at(result, slide.name)
         left = f"has run off at t = {off:.6g} s"
         last.append(
@@ -131,8 +171,25 @@ def _slide_rows(result: Result) -> dict[str, Any]:
     rows["largest load of a slide on its rope at"] += (
         "; at an end of the line the stop's force is in it"
     )
-    rows["farthest place of a slide at"] += f"; in the end {', '.join(last[:4])}"
-    return rows
+    rows["farthest place of a slide at"] += f"; in the end {_few(last, ', ')}"
+    sharpest = [words for _, words in sorted(sharp, reverse=True)]
+    return rows | ({"about the slides": _few(sharpest, "; ")} if sharp else {})
+
+
+def _few(told: Sequence[str], between: str) -> str:
+    """Return the first of what is told of slides, and of how many more it could be."""
+    more = [f"and {len(told) - _TOLD} more"] if len(told) > _TOLD else []
+    return between.join([*told[:_TOLD], *more])
+
+
+def _sharpest_loaded(load: Floats, turns: Floats) -> float:
+    """Return the largest turn [rad] of frames in which a slide bears at least half of what it mostly does.
+
+    Not a mean: what bumps hold grows with the turn's fourth power, and a line that is slack turns anyhow.
+    """
+    borne = load[load > 0.0]
+    heavy = (load > 0.0) & (load >= 0.5 * np.median(borne)) if borne.size else load > 0.0
+    return float(turns[heavy].max(initial=0.0))
 
 
 def _keep(
@@ -178,8 +235,8 @@ def _masses(result: Result, row: int) -> Floats:
 
 def _piece(
     result: Result, row: int, table: Slides, masses: Floats, start: int, stop: int
-) -> SlideMotion:
-    """Return how a slide moved in some frames."""
+) -> tuple[SlideMotion, Floats]:
+    """Return how a slide moved in some frames, and by how much its line turned there [rad], (frames,)."""
     from ropewalk.laws.slides.rail import nearest_place, point_at
     from ropewalk.laws.slides.reach import live_ends, place_near, whole
     from ropewalk.laws.slides.table import LOOSE
@@ -193,7 +250,7 @@ def _piece(
         lengths = [rope.segment_length for rope in result.scene.ropes]
         live = has_rope(result.layout, result.read("rest_length", start, stop), lengths)
     span = result.layout.span(result.scene.slides[row].rope)
-    place, load, u = np.zeros(stop - start), np.zeros(stop - start), math.nan
+    (place, load, turns), u = np.zeros((3, stop - start)), math.nan
     for i, x in enumerate(np.ascontiguousarray(places)):
         if result.time[start + i] >= off:
             place[i], load[i] = math.nan, 0.0
@@ -205,10 +262,12 @@ def _piece(
         apart = x[:, node] - np.array(point_at(x, first, ends, u))
         place[i] = u * table.length[row]
         load[i] = table.stiffness[row] * float(np.linalg.norm(apart))
+        turns[i] = turn_at(x, first, last, u)
     middle = np.einsum("n,fnk->fk", masses, velocities[:, span.start : span.end + 1])
-    return SlideMotion(
+    motion = SlideMotion(
         place,
         np.linalg.norm(velocities[:, node], axis=1),
         load,
         np.linalg.norm(middle, axis=1) / masses.sum(),
     )
+    return motion, turns

@@ -170,6 +170,7 @@ class Outlets:
         size: tuple[int, int] = (960, 540),
         speed: float = 1.0,
         plane: str | None = None,
+        window: tuple[float, float, float, float] | None = None,
         progress: Callable[[int, int], None] | None = None,
     ) -> Path:
         """Write a film of the run as GIF (any machine) or MP4 (with ffmpeg); return its path.
@@ -180,13 +181,16 @@ class Outlets:
             size: width and height in pixels.
             speed: simulated seconds per second of the film [1]; 1 is real time.
             plane: the two axes to look at, as "xz"; by default those that show most.
+            window: what to see of them [m]: left, right, lower and upper end, widened to fill the picture;
+                by default all that ropes come to.
             progress: called with the pictures done and those in all.
 
         Raises ValueError for arguments that make no film, MovieError when ffmpeg is missing or fails,
         OSError when the file cannot be written.
         """
         options: dict[str, Any] = {"fps": fps, "size": size, "speed": speed, "plane": plane}
-        return Path(import_module(_PLOTS).movie(self._result, path, progress=progress, **options))
+        options |= {"window": window, "progress": progress}
+        return Path(import_module(_PLOTS).movie(self._result, path, **options))
 
     def view(
         self, *, open_browser: bool = True, playing: bool = True, port: int | None = None

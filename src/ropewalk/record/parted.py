@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
+
+import numpy as np
 
 from ropewalk.hands.drum import PARTED
+from ropewalk.methods.registry import METHODS
 from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
+
+    from numpy.typing import ArrayLike, NDArray
 
     from ropewalk.record.event_log import Event
     from ropewalk.record.result import Result
@@ -40,6 +45,17 @@ def partings_of(events: Iterable[Event]) -> tuple[Parting, ...]:
     )
 
 
+def count_parted(partings: Sequence[Parting], times: ArrayLike, method: str) -> NDArray[np.int64]:
+    """Return how many of these partings, in order of time, frames of some times [s] have in them.
+
+    Steps of a fixed length end with what they part. `adaptive` parts as it goes on: a frame of that very
+    time is before it.
+    """
+    side: Literal["left", "right"] = "right" if METHODS[method].fixed else "left"
+    found = np.searchsorted([one.time for one in partings], np.asarray(times, np.float64), side)
+    return np.asarray(found, np.int64)
+
+
 def fault_of_partings(result: Result) -> str:
     """Say why a result's log cannot be believed in what parted; "" where it can.
 
@@ -53,14 +69,13 @@ def fault_of_partings(result: Result) -> str:
         wound = any(winch.rope == rope.name for winch in result.scene.winches)
         if math.isinf(rope.strength) or wound or rope.segment_length == 0.0:
             continue
-        told = [
-            one for one in partings_of(result.events) if one.rope == rope.name and one.time <= last
-        ]
+        partings = [one for one in partings_of(result.events) if one.rope == rope.name]
+        told = int(count_parted(partings, last, result.plan.method))
         span = result.layout.span(rope.name)
         there = result.read("rest_length", result.frames - 1)[0, span.start : span.end] > 0.0
         gone = int((~there).sum())
-        if gone != len(told):
-            return f"is damaged: it tells of {len(told)} partings of {rope.name!r}, the frames of {gone}"
+        if gone != told:
+            return f"is damaged: it tells of {told} partings of {rope.name!r}, the frames of {gone}"
     return ""
 
 

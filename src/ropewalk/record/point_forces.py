@@ -103,10 +103,11 @@ class PointForces:
         """Work on the ropes of what they touch since the start [J], (frames,) each, by surface and entry.
 
         Surfaces are obstacles by name, and "ropes on ropes". Of each the entries add up to its work: motor,
-        by what moves or turns it (force times way, torque times angle); normal, taken where contacts close;
-        friction, taken where they slip; stored, less what contacts have stored; method, the part in the
-        error of the steps. NaN without a ledger; empty where there is nothing to touch, and in runs that
-        were recorded before there were entries.
+        by what moves or turns it (force times way, torque times angle), of ropes what presses up those that
+        lie still in each other's skin; normal, taken where contacts close; friction, taken where they slip;
+        stored, less what contacts have stored; method, the part in the error of the steps. NaN without a
+        ledger; empty where there is nothing to touch, and in runs that were recorded before there were
+        entries.
         """
         result = cast("Result", self)
         if CONTACT_WORK not in result.source.names:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ AXES = ("x", "y", "z")
 ENERGY = "energy; that of gravity is 0 in the scene's own shape"
 JUMPS = ("limiter", "winch")
 ROPE_CONTACTS, PULLEYS, CONTACT_WORK = "rope_contacts", "pulleys", "contact_work"
+WORKS = ("work", CONTACT_WORK)  # unknown without a ledger
 OBSTACLE_FORCE = "obstacle_force"
 _OF_BLOCKS = ("pairs", "obstacles")  # fields of `simulation.block.Block`, not of its recording
 
@@ -158,16 +159,12 @@ SUMS_ONLY = 5  # until this one nothing of ropes on ropes but the sum of all con
 IN_ONE = 6  # until this one the work of all obstacles was one number
 TOGETHER = 7  # until this one the force of obstacles was not apart from that of ropes
 WEIGHTLESS = 8  # until this one no weight turned what turns freely
-_OLD_UNITS = UNITS[:6]
-_OLD_TENSION = Quantity("tension", ("time", "segment"), "N", "elastic tension", "tension")
+_OLD_MOTIONS = 6  # of what turns freely, until then
 
 
 def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
     now = recorded(layout, scene)
-    if version <= WEIGHTLESS:
-        old_units = ", ".join(_OLD_UNITS)
-        now = tuple(replace(q, unit=old_units) if q.name == PULLEYS else q for q in now)
     if version <= TOGETHER:
         now = tuple(q for q in now if q.name != OBSTACLE_FORCE)
     if version <= IN_ONE:
@@ -176,12 +173,10 @@ def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
         now = tuple(q for q in now if q.name != ROPE_CONTACTS)
     if version > FRAMES_ONLY:
         return now
-    old = [q for q in now if q not in _OF_INTERVALS]
+    old = tuple(q for q in now if q not in _OF_INTERVALS)
     if version > ELASTIC_ONLY:
-        return tuple(old)
-    return tuple(
-        _OLD_TENSION if q.name == "tension" else q for q in old if q.name != "elastic_tension"
-    )
+        return old
+    return tuple(q for q in old if q.name != "elastic_tension")
 
 
 def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
@@ -212,7 +207,7 @@ def sizes(layout: Layout, version: int | None = None) -> dict[str, int]:
     """Return the length of every dimension but time, in a folder of a format, else the present one."""
     found = {name: len(values) for name, values in labels(layout).items()}
     if version is not None and version <= WEIGHTLESS:
-        found["motion"] = min(found["motion"], len(_OLD_UNITS))
+        found["motion"] = min(found["motion"], _OLD_MOTIONS)
     places = {"node": layout.nodes, "segment": layout.segments, "pair": slots(layout.segments)}
     return found | places
 

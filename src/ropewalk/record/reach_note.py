@@ -86,7 +86,8 @@ def _as_it_came(result: Result, table: Obstacles, found: Reach) -> Reach:
     before = max(found.frame - 1, 0)
     speed = float(np.linalg.norm(result.read("velocities", before, before + 1)[0, node]))
     stiffness = float(table.stiffness[row, node])
-    reach = max(found.gap, speed * float(table.damping[row, node]) / stiffness)
+    damping = float(table.ratio[row] * table.damping[row, node])
+    reach = max(found.gap, speed * damping / stiffness)
     return found._replace(compliance=(found.wanted / reach) ** 2 / stiffness)
 
 

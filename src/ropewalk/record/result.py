@@ -190,6 +190,9 @@ class Result(PointForces, Outlets):
     def energy(self) -> Mapping[str, Floats]:
         """Energies [J], each (frames,): kinetic, gravity, elastic, total; with any EI also bending.
 
+        The total is the sum of these. What all other laws store (ground, obstacles, touching ropes, slides,
+        added laws) is not in it: it is in their `work`, as a loss while it is stored, so that the total less
+        all works tells of the method alone (`energy_error`).
         Gravity's is 0 in the scene's own shape, from which a run starts unless it starts at rest.
         """
         array = self._all("energy")
@@ -320,6 +323,7 @@ class Result(PointForces, Outlets):
 
         Where others went on, a broken rope lies in later frames as it lay in its last good one; all other
         numbers of it are NaN there, and in sums over all ropes (energy, work, momentum) it counts as it was.
+        With `[contact]` a rope that comes within its reach ends there, too.
         """
         return self.facts.ends
 

@@ -206,5 +206,5 @@ def simulate_in_memory(
         runner.ends,
     )
     names = tuple(q.name for q in recorded(simulation.layout, simulation.scene))
-    source = Memory(blocks, names)
+    source = Memory(blocks, names, ledger)
     return Result(simulation.scene, simulation.layout, source, facts, beyond=runner.beyond)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.peaks import EXTREMES
-from ropewalk.record.extremes import LEAST
+from ropewalk.record.extremes import LEAST, had_rope
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -31,6 +31,8 @@ _RULED = {
     "energy_errors": "energy_errors",
     "energy_error_times": "energy_errors",
 }
+#: Of frames in which a segment was no rope at any step, zeros count for nothing beside those where it was.
+_PULLS = ("greatest_tension", "least_tension")
 
 
 def is_of_steps(name: str) -> bool:
@@ -46,18 +48,22 @@ def of_rows(result: Result, name: str, frames: NDArray[np.int64], first: int) ->
     if name in _RULED:
         return _ruled(result, name, frames, first)
     stop = int(frames[-1]) + 1
-    size = max(1, result.read(name, first, first + 1).size)
-    step, beyond = max(1, _VALUES // size), np.fmax if name.startswith("greatest_") else np.fmin
-    found: Floats | None = None
+    one = result.read(name, first, first + 1)
+    step = max(1, _VALUES // max(1, one.size))
+    beyond = np.fmax if name.startswith("greatest_") else np.fmin
+    found = np.full((len(frames), *one.shape[1:]), np.nan)
+    bare = np.full(found.shape, name in _PULLS)
     for start in range(first, stop, step):
         values = result.read(name, start, min(start + step, stop))
-        if found is None:
-            found = np.full((len(frames), *values.shape[1:]), np.nan)
         rows = np.searchsorted(frames, np.arange(start, start + len(values)))
         begins = np.flatnonzero(np.diff(rows, prepend=-1))
         there = rows[begins]
+        if name in _PULLS:
+            rope = had_rope(result, start, start + len(values))
+            values = np.where(rope, values, np.nan)
+            bare[there] &= ~np.logical_or.reduceat(rope, begins, axis=0)
         found[there] = beyond(found[there], beyond.reduceat(values, begins, axis=0))
-    assert found is not None
+    found[bare] = 0.0
     return found
 
 

@@ -7,7 +7,7 @@ from typing import Protocol
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.record.quantities import BY_NAME, raw
+from ropewalk.record.quantities import BY_NAME, WORKS, raw
 from ropewalk.simulation.block import Block
 
 
@@ -41,7 +41,9 @@ class Source(Protocol):
 class Memory:
     """Blocks of frames in memory, each quantity joined when it is first asked for."""
 
-    def __init__(self, blocks: list[Block], names: tuple[str, ...]) -> None:
+    def __init__(self, blocks: list[Block], names: tuple[str, ...], ledger: bool = True) -> None:
+        """Take blocks of a run; works without a `ledger` are NaN, as in a run folder."""
+        self._unknown = () if ledger else WORKS
         self._names = names
         self._parts = {name: [raw(block, BY_NAME[name]) for block in blocks] for name in names}
         self._parts["time"] = [block.time for block in blocks]
@@ -67,7 +69,7 @@ class Memory:
         parts = self._parts[name]
         if len(parts) > 1:
             parts[:] = [np.concatenate(parts)]
-        array = parts[0]
+        array = parts[0] if name not in self._unknown else np.full_like(parts[0], np.nan)
         if name != "time" and BY_NAME[name].swapped:
             array = array.transpose(0, 2, 1)
         return array[start:stop]

@@ -22,7 +22,7 @@ from ropewalk.lowering import Layout
 from ropewalk.methods.recording import LARGE, Recording, make_recording
 from ropewalk.record.dataset import TIME, attributes, coordinates
 from ropewalk.record.files import sync_all, write, write_json, write_pages
-from ropewalk.record.quantities import CONTACT_WORK, Quantity, raw, recorded, sizes
+from ropewalk.record.quantities import WORKS, Quantity, raw, recorded, sizes
 from ropewalk.record.seal import crc_of
 from ropewalk.record.zarr_format import (
     CHECKSUM,
@@ -100,7 +100,7 @@ class Writer:
         self._scene, self._layout = scene, layout
         self.quantities = recorded(layout, scene)
         self._specs = array_specs(self.quantities, layout, chunk)
-        self._unknown = () if ledger else ("work", CONTACT_WORK)
+        self._unknown = () if ledger else WORKS
         self._fields = ["", *(quantity.field for quantity in self.quantities)]
         self._fixed: dict[str, dict[str, Any]] = {}
         self._attributes: dict[str, Any] = {}

@@ -53,8 +53,8 @@ def better_than_euler() -> Outcome:
         f"has stretched a spring tenfold after {broken_at:.2f} s. At 0.1 ms it is off by "
         f"{100 * errors['euler']:.0f} % of the swing after 50 ms, semi-implicit Euler by "
         f"{100 * errors['semi-implicit-euler']:.1f} %.",
-        theory=f"The bounds are {theory[0]:.4f} ms, from k dt² + 2 c dt < m (long chain), and "
-        f"{theory[1]:.5f} ms = c / k.",
+        theory=f"The bounds are {theory[0]:.4f} ms, from k μ dt² / m + 2 c μ dt / m < 4 of 19 "
+        f"free masses (a long chain's is k dt² + 2 c dt < m), and {theory[1]:.5f} ms = c / k.",
         parts=(
             Part("it stands longer steps", ratio > 2.0, (
                 Number("largest step, semi-implicit Euler", found[0], theory[0], "ms", 2e-3, True,

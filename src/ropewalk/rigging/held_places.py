@@ -26,6 +26,7 @@ from ropewalk.statics.touches import Seat
 from ropewalk.theory import elastic_catenary
 from ropewalk.words.safe_side import inwards
 
+_FIGURES = (4, 5, 6, 7)
 _ROUNDS = 20  # of halving between two places
 _NEAREST = 0.01  # of the span: nearer to an anchor nothing is looked for [1]
 _NODES = 2.0  # segments by which the shape at rest may differ from the closed form
@@ -77,7 +78,10 @@ def in_words(seat: Seat, places: tuple[float, float] | None) -> str:
     """Return what a user reads of them, empty for none."""
     if places is None:
         return ""
-    first, last = inwards(*places)
+    for figures in _FIGURES:  # as many as have the rest, as it is told, between them
+        first, last = inwards(*places, figures)
+        if float(first) <= float(f"{seat.at:.5g}") <= float(last):
+            break
     return (
         f"slide {seat.slide!r} is held anywhere from {first} to {last} m of rope {seat.on!r} "
         "(closed form of a line that hangs by its ends)"

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from ropewalk.scene import Material
 from ropewalk.scene.guess import load_doubt, worst_of
-from ropewalk.words.percents import percent
-from ropewalk.words.safe_side import safety_factor
+from ropewalk.words.safe_side import percent_up, safety_factor
 
 
 def force(newtons: float) -> str:
@@ -22,7 +21,9 @@ def margins(tension: float, material: Material) -> list[str]:
     if breaking_load is None:
         return []
     share = tension / breaking_load
-    text = f"utilisation {percent(100.0 * share, 3)} of the breaking load of {force(breaking_load)}"
+    text = (
+        f"utilisation {percent_up(100.0 * share, 3)} of the breaking load of {force(breaking_load)}"
+    )
     if tension > 0.0:
         text += f", safety factor {safety_factor(share)}"
     if share > 1.0:
@@ -37,6 +38,6 @@ def most_used(tension: float, material: Material) -> str:
         return ""
     share = tension / material.breaking_load
     worst = worst_of(material, share)
-    text = f", utilisation up to {percent(100.0 * share, 3)}"
-    least = f", with the least of the guessed breaking load {percent(100.0 * worst, 3)}"
+    text = f", utilisation up to {percent_up(100.0 * share, 3)}"
+    least = f", with the least of the guessed breaking load {percent_up(100.0 * worst, 3)}"
     return text + (least if worst > share else "")

@@ -11,9 +11,8 @@ from ropewalk.library.entry import UNITS
 from ropewalk.scene.base import Model, Number, refuse
 from ropewalk.scene.faults import Fault
 from ropewalk.scene.limits import HUGE
-from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
-from ropewalk.words.safe_side import safety_factor
+from ropewalk.words.safe_side import percent_up, safety_factor
 
 Guessable = Literal[
     "EA",
@@ -87,5 +86,5 @@ def load_doubt(made_of: Any, utilisation: float) -> str:
     if mark is None or math.isnan(utilisation):
         return ""
     share = worst_of(made_of, utilisation)
-    text = f"the breaking load is a guess, {mark.span}: with the least of it {percent(100.0 * share, 3)}"
+    text = f"the breaking load is a guess, {mark.span}: with the least of it {percent_up(100.0 * share, 3)}"
     return text + (f", safety factor {safety_factor(share)}" if share > 0.0 else "")

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from ropewalk.scene.base import NAME, Many, Model, Text, Whole, node_number
 from ropewalk.scene.rope import Rope
+from ropewalk.scene.slide import Slide
 
 
 class Tie(Model):
@@ -41,8 +42,13 @@ class Joint(Model):
     __repr__ = __str__
 
 
-def tied_ropes(ropes: Sequence[Rope], joints: Sequence[Joint]) -> list[list[int]]:
-    """Return the ropes that joints tie to each other, by their numbers; a rope that none ties is alone."""
+def tied_ropes(
+    ropes: Sequence[Rope], joints: Sequence[Joint], slides: Sequence[Slide] = ()
+) -> list[list[int]]:
+    """Return the ropes that joints, and slides where given, tie to each other, by their numbers.
+
+    A rope that none ties is alone.
+    """
     number = {rope.name: i for i, rope in enumerate(ropes)}
     lead = list(range(len(number)))
 
@@ -51,8 +57,9 @@ def tied_ropes(ropes: Sequence[Rope], joints: Sequence[Joint]) -> list[list[int]
             lead[i] = i = lead[lead[i]]
         return i
 
-    for joint in joints:
-        ends = sorted({first(number[tie.rope]) for tie in joint.points})
+    tied = [{tie.rope for tie in joint.points} for joint in joints]
+    for together in [*tied, *({slide.rope, slide.on} for slide in slides)]:
+        ends = sorted({first(number[name]) for name in together})
         for end in ends[1:]:
             lead[end] = ends[0]
     found: dict[int, list[int]] = {}

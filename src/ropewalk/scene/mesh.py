@@ -47,14 +47,19 @@ class _Surface(Tumbling):
     )
 
     def _check_surface(self, source: str) -> None:
-        from ropewalk.scene.surfaces import surface_faults
+        from ropewalk.scene.surfaces import joined_where_open
 
         if not self.vertices or not self.faces:
             refuse([Fault(source, MISSING, f"give {source}, or vertices and faces")])
         if len(self.faces) > MOST_FACES:
             rule = f"must be at most {MOST_FACES}: make it coarser"
             refuse([Fault("faces", f"{len(self.faces)} triangles", rule)])
-        refuse(surface_faults(self.vertices, self.faces))
+        joined, faults = joined_where_open(self.vertices, self.faces)
+        refuse(faults)
+        if joined is not None:
+            vertices, faces = joined
+            self.__dict__["vertices"] = tuple(map(tuple, vertices))
+            self.__dict__["faces"] = tuple(map(tuple, faces))
 
 
 class Mesh(_Surface):

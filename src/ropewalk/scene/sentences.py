@@ -96,12 +96,12 @@ def _unknown(where: Place, key: str) -> str:
     others = [repr(tag(one)) for one in siblings(owner) if key in keys(one)]
     if others:
         return f"unknown key of {tag(owner)!r}; only {', '.join(others)} have it"
+    if key in _NOT_BUILT:
+        return _NOT_BUILT[key]
     homes = [join(path, key) for path, model in all_sections() if key in keys(model)]
     home = next((path for path in homes if path.count(".") <= 1), None)
     if home is not None and key != "kind":
         return f'unknown key here; it belongs to "{home}"'
-    if key in _NOT_BUILT:
-        return _NOT_BUILT[key]
     kind = tag(owner)
     of = f" of {kind!r}" if kind else ""
     return f"unknown key{of}; {nearest(key, list(keys(owner)))}"
@@ -172,7 +172,8 @@ def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
 
 #: Keys that a scene might have, and has not: why, and what comes nearest.
 _NOT_BUILT = {
-    "restitution": "there is none: what meets does not rebound but by its own elasticity; leave it out",
+    "restitution": "there is none here, but of obstacles: ropes that meet rebound by their own elasticity "
+    "alone, and a [ground] throws back by its spring, the less the larger its damping_ratio; leave it out",
 }
 _Rule = Callable[[Mapping[str, Any], Place, Any], str]
 _RULES: dict[str, _Rule] = {

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 from pydantic import Field
 
-from ropewalk.scene.base import NAME, Many, Model, Number, Text, listed, positive
+from ropewalk.scene.base import NAME, Many, Model, Number, Text, listed, positive, quantity
 from ropewalk.scene.motions import Fixed, Told
 from ropewalk.scene.rubbing import Pair, coefficient
 
@@ -42,6 +42,15 @@ class Body(Model):
         default=None,
     )
 
+    restitution: Number = quantity(
+        "Share of the speed across the surface with which a free node leaves that hits it; what sticks "
+        "meanwhile may leave backwards along it, by up to some 30 % of what it came with; asks for a "
+        "`compliance` and the method `adaptive`",
+        "1",
+        default=0.0,
+        ge=0,
+        le=1,
+    )
     motion: BodyMotion = Field(
         default=Fixed(),
         description="How it moves, its middle (of a plane its point) as the node of an anchor; its direction "

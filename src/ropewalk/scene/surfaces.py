@@ -20,6 +20,14 @@ SUFFIXES = (".stl", ".obj", ".ply")
 _NEEDS = 'needs the extra "mesh": pip install "ropewalk[mesh]"'
 _FLAT = 1e-12  # volume over surface and size, below which a surface encloses nothing [1]
 _SLOPES = (0.5, 2.0)  # between which the slope of distances next to the surface must lie [1]
+_SHARED = (
+    "four triangles or more meet at an edge of it: two solids, or two parts of one, share an edge there. "
+    "Make them two obstacles, or keep them a little apart"
+)
+_DISAGREE = (
+    "its neighbours disagree which side is outside, or three meet at an edge: turn all faces "
+    "counter-clockwise seen from outside (a mesh editor's 'recalculate normals')"
+)
 
 Triangles = tuple[list[list[float]], list[list[int]]]
 
@@ -49,6 +57,23 @@ def read_mesh(folder: Path, file: str) -> Triangles:
         refuse([Fault("file", file, rule)])
     vertices, faces = _joined(np.asarray(found.vertices, np.float64), np.asarray(faces, np.int64))
     return vertices.tolist(), faces.tolist()
+
+
+def joined_where_open(vertices: Any, faces: Any) -> tuple[Triangles | None, list[Fault]]:
+    """Return triangles with equal vertices made one where only that closes them, and what is wrong with them.
+
+    None where they are left as they are. Files and many libraries have a copy of a vertex for every triangle.
+    """
+    faults = surface_faults(vertices, faces)
+    if not faults or len(set(vertices)) == len(vertices):
+        return None, faults
+    corners = np.array(faces, np.int64)
+    if corners.min() < 0 or corners.max() >= len(vertices):
+        return None, faults
+    places, corners = _joined(np.array(vertices, np.float64), corners)
+    if len(corners) == 0:
+        return None, faults
+    return (places.tolist(), corners.tolist()), surface_faults(places, corners)
 
 
 def _joined(
@@ -185,15 +210,13 @@ def surface_faults(vertices: Any, faces: Any) -> list[Fault]:
         rule = "must have three sides each: two of its corners are one; join them, or take it out"
         return [Fault(f"faces[{int(np.argmin(sides.min(axis=1)))}]", "a triangle of no area", rule)]
     edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
-    _, first, times = np.unique(edges, axis=0, return_index=True, return_counts=True)
+    each, first, times = np.unique(edges, axis=0, return_index=True, return_counts=True)
     back = {tuple(edge) for edge in edges[:, ::-1].tolist()}
     if times.max() > 1:
-        worst = int(first[np.argmax(times)]) // 3
-        rule = (
-            "its neighbours disagree which side is outside, or three meet at an edge: turn all faces "
-            "counter-clockwise seen from outside (a mesh editor's 'recalculate normals')"
-        )
-        return [Fault(f"faces[{worst}]", "a triangle", rule)]
+        worst = int(np.argmax(times))
+        opposite = int((edges == each[worst, ::-1]).all(axis=1).sum())
+        rule = _SHARED if opposite == times[worst] else _DISAGREE
+        return [Fault(f"faces[{int(first[worst]) // 3}]", "a triangle", rule)]
     loose = [row for row, edge in enumerate(edges.tolist()) if tuple(edge) not in back]
     if loose:
         rule = (

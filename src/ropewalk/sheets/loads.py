@@ -17,9 +17,8 @@ from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.ropes import NO_DRAG
 from ropewalk.statics.wraps import MANY, coarse_words
-from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
-from ropewalk.words.safe_side import safety_factor
+from ropewalk.words.safe_side import percent_up, safety_factor
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -176,6 +175,8 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
     until = float(result.time[result.good_frames - 1])
     items.append(Text(f"Greatest and least values {how}, from 0 to {until:.6g} s."))
     items.append(Table(("", "value", "where and when"), rows, numbers=False))
+    if "about the slides" in moving:
+        items.append(Text(moving["about the slides"], warning=True))
     items += _about_peaks(result, found)
     items += _anchor_peaks(result) + _utilisation(result, then)
     return Section("The run", tuple(items))
@@ -284,7 +285,7 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
         return "not known", ""
     whose = f", rope {near.name!r}" if len(result.scene.ropes) > 1 else ""
     factor = safety_factor(near.utilisation) if near.utilisation > 0.0 else ""
-    return f"{percent(100.0 * near.utilisation, 3)}{whose}", factor
+    return f"{percent_up(100.0 * near.utilisation, 3)}{whose}", factor
 
 
 def _utilisation(result: Result, then: str) -> list[Item]:
@@ -297,7 +298,7 @@ def _utilisation(result: Result, then: str) -> list[Item]:
         place = place.partition(",")[0]
     used = near.utilisation
     factor = f"safety factor {safety_factor(used)}" if used > 0.0 else "unloaded"
-    text = f"Largest utilisation of the breaking load: {percent(share, 3)} ({factor}), {place}."
+    text = f"Largest utilisation of the breaking load: {percent_up(share, 3)} ({factor}), {place}."
     doubt = doubt_words(result.scene, near, then)
     text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""
     if near.utilisation <= 1.0:

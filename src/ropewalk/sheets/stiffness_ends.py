@@ -13,7 +13,6 @@ from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.guess import STIFF, guesses_of, worst_of
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.trust import PARTED, Variant, rest_numbers, row_of, run_numbers, tried
-from ropewalk.words.percents import percent
 from ropewalk.words.prefixes import prefixed
 from ropewalk.words.safe_side import outwards, percent_up, safety_factor
 
@@ -139,7 +138,7 @@ def _rows(title: str, used: dict[str, float], variants: list[Variant]) -> list[t
 
 
 def _percent(used: float) -> str:
-    return f"{percent(100.0 * used, 3)}{_factor(used)}"
+    return f"{percent_up(100.0 * used, 3)}{_factor(used)}"
 
 
 def _factor(used: float) -> str:

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Protocol, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
 from ropewalk.core import arrays
 from ropewalk.core.arrays import APPLIED, Floats, State
-from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import BROKEN, OK, UNSOLVED
+from ropewalk.engine.beginning import make_engine
 from ropewalk.engine.engine import Fall, counts
-from ropewalk.engine.islands import make_engine
 from ropewalk.engine.slices import Edges
 from ropewalk.engine.spare import Spare
 from ropewalk.hands.body import handles
@@ -33,6 +32,7 @@ from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block, make_frames, refuse_unless_count
 from ropewalk.simulation.rope_contacts import on_obstacles, one_by_one, rope_contacts
 from ropewalk.simulation.snapshot import Snapshot
+from ropewalk.simulation.watcher import Watcher
 from ropewalk.words.annotations import unquoted
 from ropewalk.words.named import Named
 
@@ -51,16 +51,6 @@ PUBLIC = (
     "frames", "layout", "ledger", "obstacles", "plan", "positions", "reactions", "reason", "reset",
     "restore", "scene", "state", "step", "step_counts", "tension", "time", "velocities", "view", "winches",
 )  # fmt: skip
-
-
-class Watcher(Protocol):
-    """Whoever is told the extremes of every call that moves a simulation on."""
-
-    def take(self, peaks: Peaks) -> None:
-        """Take those of the call just made."""
-
-    def take_frames(self, frames: Recording) -> None:
-        """Take those of frames just recorded."""
 
 
 class Broken(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
@@ -85,12 +75,12 @@ class Simulation(Driven):
     ) -> None:
         """Build the scene. With `ledger` the work of every law is added up in every step.
 
-        With `apart` every rope breaks by itself, in explicit methods, too; no motion depends on it. The state
-        lies in the arrays of `spare` where they fit: no other simulation in them can go on then.
+        With `apart`, as in a run, ropes break one by one in all methods, and steps suit the scene's duration,
+        else whatever moves later, too. The state lies in `spare` where it fits: what had it cannot go on.
 
         Raises SceneError when the scene cannot be planned, or starts at rest and has no rest shape.
         """
-        model = scene if isinstance(scene, Model) else build(scene)
+        model = scene if isinstance(scene, Model) else build(scene, endless=not apart)
         self._engine, self.apart = make_engine(model, ledger, apart, spare), apart
         self.model = self._engine.model
         self.scene, self.layout, self.plan = self.model.scene, self.model.layout, self.model.plan
@@ -98,6 +88,7 @@ class Simulation(Driven):
         self._kinds, self._drive, self._turns, self._bodies = self._engine.controls
         self._goals: dict[int, Goal] = {}
         self._due, self._first = 0.0, None
+        self._by_frames = self.scene.contact is not None or self._engine.by_frames
         self.ledger = ledger
         self.failure = ""  # set where an implicit method finds no solution of a step
         self.reason = ""  # set by a break: what is broken, and where
@@ -162,10 +153,12 @@ class Simulation(Driven):
     @property
     def state(self) -> Snapshot:
         """A copy of everything that evolves; `restore` goes back to it, to the same bits."""
-        kinds, drive, turns = self._kinds.copy(), self._drive.copy(), self._turns.copy()
-        state, walk = arrays.copy(self._state), arrays.copy(self._engine.walk)
-        bodies = arrays.copy(self._bodies)
-        return Snapshot(state, *self.clock, kinds, drive, walk, turns, bodies, self._engine.inner)
+        return self._shown(arrays.copy)
+
+    def _shown(self, taken: Callable[[Any], Any]) -> Snapshot:
+        own = (self._kinds, self._drive, self._engine.walk, self._turns, self._bodies)
+        parts = map(taken, (self._state, *self.clock, *own))
+        return Snapshot._make((*parts, self._engine.inner, self.layout.mark))
 
     @property
     def step_counts(self) -> dict[str, float]:
@@ -173,15 +166,16 @@ class Simulation(Driven):
         return counts(self._engine.walk)
 
     def restore(self, snapshot: Snapshot) -> None:
-        """Go to a snapshot of this simulation; goals are forgotten. ValueError for one of another size."""
-        snapshot.must_fit(self._state, self._kinds, self._drive)
+        """Go to a snapshot of this simulation; goals are forgotten. ValueError for one of another scene."""
+        snapshot = snapshot.fitting(self._shown(lambda part: part), self._by_frames)
+        self._engine.restore(snapshot.inner, snapshot.walk)  # raises before anything has changed
         self._goals.clear()
         arrays.assign(self._state, snapshot.state)
         self._start, self._dt, self._step = snapshot.start, snapshot.dt, snapshot.step
         self._kinds[:], self._drive[:] = snapshot.motion_kinds, snapshot.winch_drive
         self._turns[:] = snapshot.clamp_turns
         arrays.assign(self._bodies, snapshot.bodies)
-        self._engine.restore(snapshot.inner, snapshot.walk)
+        self._engine.note_bodies()
         self.system.flags[APPLIED] = int(self._state.forces.applied.any())
 
     def recording(self) -> Block:
@@ -227,6 +221,8 @@ class Simulation(Driven):
         """
         refuse_unless_count("steps", steps)
         self._forget_break()
+        if steps == 0:
+            return OK
         self._set_off(steps * self._dt)
         status = self._advance(steps, 1, make_recording(self._state, 0, False))[0]
         self._arrive()
@@ -250,12 +246,13 @@ class Simulation(Driven):
         its last good frame; with `keep_going` it records on. It ends early where `slices.asked` says so.
         """
         out = out or make_frames(self._state, frames, self._lengths)
-        if frames > 1 and self.scene.contact is not None:
+        if frames > 1 and self._by_frames:
             advance = partial(self.advance_frames, keep_going=keep_going)
             return one_by_one(lambda count, part: advance(count, out=part), frames, out, keep_going)
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
-        self._set_off(frames * self.plan.frame_interval)
+        if frames:  # none lead nowhere: goals stay
+            self._set_off(frames * self.plan.frame_interval)
         before = None if keep_going or not frames else self.state
         self._forget_break()
         start, first = self._start, self._step
@@ -264,7 +261,8 @@ class Simulation(Driven):
         times = np.asarray(start + steps * self._dt, dtype=np.float64)
         block = Block(times, out, status, *self._touched(frames))
         if status == OK or (before is None and status == BROKEN):
-            self._arrive()
+            if frames:
+                self._arrive()
             return self._told(block.head(good) if status == OK and good < frames else block)
         if before is None:
             return self._told(block.head(good))
@@ -288,9 +286,10 @@ class Simulation(Driven):
     def frames(self, frames: int | None = None, *, keep_going: bool = False) -> Iterator[Block]:
         """Yield blocks of frames, `frames` in all (default: the rest of the plan), until one breaks.
 
-        With `keep_going` they go on into the break.
+        With `keep_going` they go on into the break. Raises ValueError for what is no whole number from 0 on.
         """
         left, status = self.frames_left if frames is None else frames, OK
+        refuse_unless_count("frames", left)
         while left > 0 and status == OK:
             block = self.advance_frames(min(left, self.block_frames), keep_going=keep_going)
             yield block
@@ -352,7 +351,8 @@ class Simulation(Driven):
             return self
         found = Simulation(engine.model, ledger=self.ledger)
         kinds, drive, turns, bodies = engine.controls
-        state, walk, inner = engine.state, engine.walk, found.state.inner
+        state, walk = engine.state, engine.walk
+        inner = np.zeros(0)  # all in one, as they are here
         found.restore(Snapshot(state, *self.clock, kinds, drive, walk, turns, bodies, inner))
         return found
 

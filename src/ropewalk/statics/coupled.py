@@ -6,7 +6,6 @@ import math
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ropewalk.core import arrays
 from ropewalk.core.arrays import BENDING, Floats, Ints, State, System
@@ -17,12 +16,9 @@ from ropewalk.laws.couplings import FINE, HALVE
 from ropewalk.laws.others import coupled_tangent, keep_couplings, meet_others
 from ropewalk.laws.pairs.force import pair_rounding
 from ropewalk.laws.pairs.pairs_at_rest import straighten
-from ropewalk.laws.pairs.table import CONTACTS, FAULT, PUSH, SPRING
-from ropewalk.laws.registry import NAMES
+from ropewalk.laws.pairs.table import CONTACTS, FAULT, SETTLES, SPRING
 from ropewalk.laws.slides.slide_force import bound_of
-from ropewalk.laws.slides.table import SPRING as HELD
 from ropewalk.laws.winch import joined
-from ropewalk.lowering.touching import SLIPS
 
 Entries = tuple[
     Ints, Ints, Floats
@@ -91,70 +87,23 @@ class Couplings:
         return max(found, 16.0 * _EPS * float(np.abs(x).max()) * stiff)
 
     def small_motions(self, x: Floats) -> tuple[Entries, Entries]:
-        """Return stiffness and friction about places (3, n) [m]: what is at the limit of friction is free."""
-        self._free_slides()
-        free = self._at_limit()
+        """Return stiffness and friction about places (3, n) [m]."""
         whole = self.kept()
-        self._keep_contacts(~free)
-        parts = [self.entries(x), self.entries(x, 0.0, 1.0)]
-        if free.any():
-            self.restore(whole)
-            self._keep_contacts(free)
-            smooth = self._without_friction()
-            parts += [smooth.entries(x), smooth.entries(x, 0.0, 1.0)]
+        self._let_go()
+        stiff, rubs = self.entries(x), self.entries(x, 0.0, 1.0)
         self.restore(whole)
-        if any(part is None for part in parts):
+        if stiff is None or rubs is None:
             raise NoRoom(ROOM)
-        joined = [np.concatenate(both) for both in zip(*parts[::2], strict=True)]
-        rubs = [np.concatenate(both) for both in zip(*parts[1::2], strict=True)]
-        return (joined[0], joined[1], joined[2]), (rubs[0], rubs[1], rubs[2])
+        return stiff, rubs
 
-    def _at_limit(self) -> NDArray[np.bool_]:
-        """Return which contacts of ropes carry all that friction can, (c,), or have none."""
-        if not self.touch:
-            return np.zeros(0, bool)
-        contact = self.state.memory.contact
-        grip = contact.grip[: contact.tally[CONTACTS]]
-        table = self.system.node.contact
-        first, second = table.rope[contact.pair[: len(grip)].T]
-        most = table.friction[first, second] * grip[:, PUSH]
-        rub = np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
-        return np.asarray((most == 0.0) | (rub >= SLIPS * most))
-
-    def _keep_contacts(self, which: NDArray[np.bool_]) -> None:
-        """Leave only some contacts of ropes, (c,)."""
+    def _let_go(self) -> None:
+        """Let contacts of ropes without friction slip: one that carries nothing counts as stuck."""
         if not self.touch:
             return
-        contact, count = self.state.memory.contact, int(which.sum())
-        for rows in (contact.pair, contact.grip):
-            rows[:count] = rows[: which.size][which]
-        contact.tally[CONTACTS] = count
-
-    def _free_slides(self) -> None:
-        """Leave slides that carry all that friction and brake can without either."""
-        table, memory = self.slide, self.state.memory.slide
-        free = np.zeros(len(table.node), bool)
-        for row in range(free.size):
-            most = float(bound_there(table, memory.sight, row))
-            free[row] = abs(memory.grip[row, HELD]) >= SLIPS * most
-        loose = {
-            name: np.where(free, 0.0, getattr(table, name))
-            for name in ("friction", "brake", "damping")
-        }
-        self.slide = table._replace(**loose)
-        self.system = self.system._replace(node=self.system.node._replace(slide=self.slide))
-
-    def _without_friction(self) -> Couplings:
-        """Return the contacts of ropes alone, and none of them holds along the surface."""
-        table, memory = self.system.node.contact, self.state.memory.contact
-        table = table._replace(friction=np.zeros_like(table.friction))
-        memory.grip[: memory.tally[CONTACTS], SPRING : SPRING + 3] = (
-            _ASKEW  # more than no friction holds
-        )
-        acts = self.system.acts.copy()
-        acts[NAMES.index("slide")] = 0
-        system = self.system._replace(node=self.system.node._replace(contact=table), acts=acts)
-        return Couplings(system, self.state)
+        contact, table = self.state.memory.contact, self.system.node.contact
+        grip = contact.grip[: contact.tally[CONTACTS]]
+        first, second = table.rope[contact.pair[: len(grip)].T]
+        grip[table.friction[first, second] == 0.0, SPRING : SPRING + 3] = _ASKEW
 
     # -- memory ----------------------------------------------------------------------------
 
@@ -186,7 +135,11 @@ class Couplings:
         state = self.state
         state.x[...] = x
         state.now[0], state.now[1] = (math.inf if at_last else _BEGINS), 0.0
+        if self.touch:
+            state.memory.contact.tally[SETTLES] = 1
         keep_couplings(self.system, state)
+        if self.touch:
+            state.memory.contact.tally[SETTLES] = 0
         state.now[:2] = 0.0
 
     def straighten(self, x: Floats) -> None:

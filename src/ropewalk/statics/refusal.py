@@ -15,6 +15,7 @@ from ropewalk.scene import SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.statics.hung import held_nodes
 from ropewalk.statics.tied import partners, points, tied_nodes
+from ropewalk.words.pushes import FAR
 
 _ROUNDING = 1e-9  # of a weight, or a length: what buoyancy, or rest, leaves of it by rounding [1]
 _NOTHING = 1e-12  # of the largest tension: what carries nothing [1]
@@ -35,15 +36,16 @@ def refuse_impossible(model: Model) -> None:
     _refuse([_fault_of(model, rope) for rope in model.layout.ropes], model)
 
 
-def refuse_loose(model: Model, positions: Floats, tension: Floats) -> None:
+def refuse_loose(model: Model, positions: Floats, tension: Floats, left: Floats) -> None:
     """Raise SceneError for ropes with parts that nothing stretches at rest, `is_loose`.
 
     Args:
         model: what is at rest.
         positions: places of the nodes there (n, 3) [m].
         tension: of the segments there (s,) [N].
+        left: the largest force that is left on a node of each segment's rope (s,) [N], see `left_over`.
     """
-    nothing, rules = unloaded(tension), []
+    nothing, rules = unloaded(tension, left), []
     for rope in model.layout.ropes:
         held = _held_anyhow(model, rope)
         parts = itertools.pairwise(held)
@@ -56,11 +58,14 @@ def refuse_loose(model: Model, positions: Floats, tension: Floats) -> None:
     _refuse(rules, model)
 
 
-def has_one_shape(model: Model, positions: Floats, tension: Floats) -> bool:
-    """Tell whether neither `refuse_impossible` nor, of what was found, `refuse_loose` refuses a scene."""
+def has_one_shape(model: Model, positions: Floats, tension: Floats, left: Floats) -> bool:
+    """Tell whether neither `refuse_impossible` nor, of what was found, `refuse_loose` refuses a scene.
+
+    Arguments as of that.
+    """
     try:
         refuse_impossible(model)
-        refuse_loose(model, positions, tension)
+        refuse_loose(model, positions, tension, left)
     except SceneError:
         return False
     return True
@@ -77,10 +82,14 @@ def _refuse(rules: list[str], model: Model) -> None:
         raise SceneError(faults)
 
 
-def unloaded(tension: Floats) -> NDArray[np.bool_]:
-    """Return which segments carry nothing but rounding, (s,), of their tensions [N]; NaN are left out."""
+def unloaded(tension: Floats, left: Floats) -> NDArray[np.bool_]:
+    """Return which segments carry nothing but rounding, (s,), of their tensions [N]; NaN are left out.
+
+    `left` is the largest force that is left on a node of the rope (s,) [N]: where no rope is stretched, all
+    tensions are such.
+    """
     largest = float(np.fmax.reduce(np.abs(tension), initial=0.0))
-    return np.asarray(np.abs(tension) <= _NOTHING * largest)
+    return np.asarray(np.abs(tension) <= np.maximum(_NOTHING * largest, FAR * left))
 
 
 def is_loose(
@@ -126,7 +135,7 @@ def _fault_of(model: Model, rope: Span) -> str:
         return ""
     outer = rope.start != held[0] or rope.end != held[-1]
     slack = any(
-        _is_slack(model, a, b) and not _is_laden(model, rope, a, b)
+        _is_slack(model, a, b) and not _may_be_drawn_taut(model, rope, a, b)
         for a, b in itertools.pairwise(held)
     )
     return _no_shape(model, outer=outer) if outer or slack else ""
@@ -202,22 +211,19 @@ def _bends(model: Model, rope: Span) -> bool:
     return model.scene.rope_named(rope.name).bending_stiffness > 0.0
 
 
-def _is_laden(model: Model, rope: Span, first: int, last: int) -> bool:
-    """Whether weight or a constant force stretches the part of a rope between two nodes, from elsewhere.
+def _may_be_drawn_taut(model: Model, rope: Span, first: int, last: int) -> bool:
+    """Whether a part of a rope between two held nodes may be taut though these are nearer than it is long.
 
-    By what slides along the rope or, where an end of the part is not fixed, by what joints tie to it.
+    An obstacle that it goes round stretches it, or what slides along it, or it is tied at an end, whose place
+    is not known yet; or another rope, where it is drawn stretched. What is at rest tells: `refuse_loose`.
     """
-    loose = not (_is_fixed(model, first) and _is_fixed(model, last))
-    beside = partners(model, rope) if loose else [rope]
-    seen = {rope.name}
-    while beside:
-        one = beside.pop()
-        riders = {slide.rope for slide in model.scene.slides if slide.on == one.name} - seen
-        beside += [other for name in riders for other in partners(model, model.layout.span(name))]
-        seen |= riders
-        if one.name != rope.name and _is_drawn(model, one):
-            return True
-    return False
+    scene, rest = model.scene, float(model.state.rest_length[first:last].sum())
+    if scene.obstacles or any(slide.on == rope.name for slide in scene.slides):
+        return True
+    drawn = np.linalg.norm(np.diff(model.state.x[:, first : last + 1], axis=1), axis=0).sum()
+    if scene.contact is not None and drawn > rest * (1.0 + _ROUNDING):
+        return True
+    return not (_is_fixed(model, first) and _is_fixed(model, last))
 
 
 def _is_fixed(model: Model, node: int) -> bool:

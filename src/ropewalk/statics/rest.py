@@ -22,6 +22,7 @@ from ropewalk.statics.balance import Balance
 from ropewalk.statics.balanced import tipping, turned_to_rest
 from ropewalk.statics.creep import creep
 from ropewalk.statics.hung import hung
+from ropewalk.statics.left_over import left_over
 from ropewalk.statics.newton import Found, settle
 from ropewalk.statics.pressing import Watch, speared_words
 from ropewalk.statics.pulleys import Pulley, pulleys
@@ -77,6 +78,7 @@ class Statics:
     spans: tuple[RestSpan, ...]
     unheld: tuple[str, ...]  # ropes that no anchor holds
     residual: float  # largest force that is left on a free node [N]
+    left: Floats  # (s,) the same of the segment's rope and those bound to it [N], see `left_over`
     gap: float  # largest difference between a segment's length and that of its tension [m]
     steps: int  # Newton steps; 0 where the closed form is exact already
     solved: bool  # whether it is at rest, to rounding
@@ -170,7 +172,7 @@ def checked_shape(source: Scene | Model) -> Statics:
     model = source if isinstance(source, Model) else build(source)
     refuse_impossible(model)
     found = static_shape(model)
-    refuse_loose(model, found.positions, found.tension)
+    refuse_loose(model, found.positions, found.tension, found.left)
     return found
 
 
@@ -311,14 +313,14 @@ def _grounded(model: Model, x: Floats) -> NDArray[np.bool_]:
 def _statics(
     model: Model, balance: Balance, found: Found, left_out: Sequence[str], *, unseen: bool
 ) -> Statics:
-    unheld = unheld_ropes(model)
-    x, tension = found.x, found.tension
+    unheld, x, tension = unheld_ropes(model), found.x, found.tension
     left = balance.imbalance(x, tension)
     _, size = balance.directions(x)
     rest = model.state.rest_length
     stretch = np.divide(size, rest, out=np.ones_like(size), where=rest > 0.0)
     carried = balance.carried(x, tension)
-    slack = (model.state.stiffness > 0.0) & unloaded(carried)
+    over = left_over(model, left, balance.free)
+    slack = (model.state.stiffness > 0.0) & unloaded(carried, over)
     for name in left_out:  # they stay as drawn
         span = model.layout.span(name)
         stretch[span.first : span.last] = 1.0
@@ -332,8 +334,7 @@ def _statics(
     positions = np.ascontiguousarray(x.T)
     lie, contacts = _lie(model, balance, x, tension)
     obstacles, held = bool(model.scene.obstacles), balance.state.memory
-    residual = float(np.abs(left[:, balance.free]).max(initial=0.0))
-    spans = rest_spans(model, positions, carried, residual)
+    spans = rest_spans(model, positions, carried, over)
     return Statics(
         positions=positions,
         tension=carried,
@@ -344,7 +345,8 @@ def _statics(
         grounded=_grounded(model, x),
         spans=tuple(span for span in spans if span.rope not in left_out),
         unheld=unheld,
-        residual=residual,
+        residual=float(over.max(initial=0.0)),
+        left=over,
         gap=float(np.abs(balance.gap(x, tension)).max(initial=0.0)),
         steps=found.steps,
         solved=found.at_rest and not unseen,
@@ -369,8 +371,7 @@ def _lie(
 
 def _trouble(model: Model, balance: Balance, found: Found) -> str:
     """Return why a scene with obstacles is not at rest; "" where it is."""
-    obstacles = bool(model.scene.obstacles)
-    return _complaint(model, balance, found) if obstacles and not found.at_rest else ""
+    return _complaint(model, balance, found) if model.scene.obstacles and not found.at_rest else ""
 
 
 def _complaint(model: Model, balance: Balance, found: Found) -> str:

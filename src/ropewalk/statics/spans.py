@@ -105,7 +105,7 @@ class RestSpan:
 
 
 def rest_spans(
-    model: Model, positions: Floats, tension: Floats, left: float = 0.0
+    model: Model, positions: Floats, tension: Floats, left: Floats | None = None
 ) -> tuple[RestSpan, ...]:
     """Return the spans of a rest shape; of ropes that lie on obstacles there are none: see `wraps`.
 
@@ -115,13 +115,13 @@ def rest_spans(
         model: what is at rest.
         positions: places of the nodes (n, 3) [m].
         tension: of the segments (s,) [N].
-        left: largest force that is left on a node [N].
+        left: largest force that is left on a node of each segment's rope (s,) [N]; None: nothing is.
     """
-    found = []
+    found, left = [], np.zeros(tension.size) if left is None else left
     measure = partial(_measure, model, positions, tension, _shear(model, positions), left)
     lies = touched(model.system.node.obstacle, positions.T)
     lies &= model.state.inverse_mass > 0.0  # what is held touches nothing
-    nothing = unloaded(tension)
+    nothing = unloaded(tension, left)
     for rope in model.layout.ropes:
         nodes = sorted({*held_nodes(model, rope), *tied_nodes(model, rope)})
         if not nodes or lies[rope.start : rope.end + 1].any():
@@ -139,7 +139,7 @@ def _measure(
     positions: Floats,
     tension: Floats,
     shear: Floats | None,
-    left: float,
+    left: Floats,
     rope: Span,
     first: int,
     last: int,
@@ -187,8 +187,8 @@ def _measure(
         else _horizontal(
             pulls[lowest], float(pull[lowest]), turned, level[-1] * (across > 0.0), up
         ),
-        largest_tension=pull_told(float(pull.max(initial=0.0)), left),
-        largest_push=largest_push(pull, left),
+        largest_tension=pull_told(float(pull.max(initial=0.0)), float(left[low])),
+        largest_push=largest_push(pull, float(left[low])),
         windy=Rest.CARRIES in at_rest(model.system),
         stands=free and bends and not lies and -rise < distance * (1.0 - _STRAIGHT),
         lies=free and lies,

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.contact import turn_towards
-from ropewalk.laws.pairs.table import CONTACTS, NORMAL, PUSH, SPRING
+from ropewalk.laws.pairs.table import CONTACTS, NORMAL, OTHER, OWN, PUSH, SPRING
 from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.table import APART, AT
 from ropewalk.laws.slides.table import SPRING as HELD
@@ -35,7 +35,8 @@ class Strand:
     before: float  # tension of the segment before the first [N]; 0 at the rope's end
     after: float  # ... after the last
     # Least and largest tension after it that friction holds with the one before as it is, by exp(mu angle)
-    # [N]; NaN where the rope ends there, nothing pulls, or something else holds it.
+    # where it carries nothing across and only what presses turns it [N]; NaN where the rope ends there,
+    # nothing pulls, or something else holds it.
     least: float
     most: float
 
@@ -70,7 +71,8 @@ class Touch:
             if not math.isnan(side.most):
                 pulls = " and ".join(prefixed(pull, "N", 4) for pull in (side.before, side.after))
                 holds = " to ".join(prefixed(pull, "N", 4) for pull in (side.least, side.most))
-                said += f"; {side.rope!r} has {pulls} beside it, where friction holds {holds}"
+                said += f"; {side.rope!r} has {pulls} beside it"
+                said += f" and turns by {math.degrees(side.angle):.3g} degrees, where friction holds {holds}"
         return said
 
     def as_dict(self) -> dict[str, Any]:
@@ -153,6 +155,22 @@ class Seat:
         return vars(self) | {"use": self.use, "uneven": self.uneven}
 
 
+class _Presses(NamedTuple):
+    """What c contacts do to one of both strands."""
+
+    segments: Ints  # (c,) of the arrays
+    at: Floats  # (c,) where on them, from their first node [1]
+    push: Floats  # (c, 3) [N]
+    rub: Floats  # (c, 3) [N]
+    friction: float  # coefficient [1]
+
+    def share_of(self, node: int) -> Floats:
+        """Return what a node bears of each, (c,) [1]."""
+        at_end = (self.segments == node - 1) * self.at
+        found: Floats = at_end + (self.segments == node) * (1.0 - self.at)
+        return found
+
+
 def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touch, ...]:
     """Return where ropes touch each other at places (3, n) [m], with what `State.memory` carries there."""
     if model.scene.contact is None:
@@ -164,14 +182,16 @@ def touches(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Touc
     table, found = model.system.node.contact, []
     friction = table.friction[table.rope[pair[:, 0]], table.rope[pair[:, 1]]]
     push, normal = grip[:, PUSH], grip[:, NORMAL : NORMAL + 3]
-    rub = np.linalg.norm(grip[:, SPRING : SPRING + 3], axis=1)
+    rub = grip[:, SPRING : SPRING + 3]
+    size = np.linalg.norm(rub, axis=1)
     for here in _clusters(pair, table.rope[pair]):
         mu = float(friction[here[0]])
-        use = float((rub[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
+        use = float((size[here] / (mu * push[here])).max()) if mu > 0.0 else 0.0
         pressed = push[here, None] * normal[here]
-        one = _strand(model, x, tension, pair[here, 0], pressed, mu)
-        other = _strand(model, x, tension, pair[here, 1], -pressed, mu)
-        found.append(Touch(one, other, float(push[here].sum()), len(here), use, mu))
+        one = _Presses(pair[here, 0], grip[here, OWN], pressed, rub[here], mu)
+        other = _Presses(pair[here, 1], grip[here, OTHER], -pressed, rub[here], mu)
+        strand, beside = (_strand(model, x, tension, side) for side in (one, other))
+        found.append(Touch(strand, beside, float(push[here].sum()), len(here), use, mu))
     return tuple(found)
 
 
@@ -193,17 +213,15 @@ def _clusters(pair: Ints, rope: Ints) -> Iterator[Ints]:
         yield np.array(sorted(found))
 
 
-def _strand(
-    model: Model, x: Floats, tension: Floats, segments: Ints, pressed: Floats, mu: float
-) -> Strand:
-    """Describe a strand of which segments (c,) are pressed with forces (c, 3) [N]."""
-    first, last = int(segments.min()), int(segments.max())
+def _strand(model: Model, x: Floats, tension: Floats, presses: _Presses) -> Strand:
+    """Describe a strand that is pressed so."""
+    first, last, mu = int(presses.segments.min()), int(presses.segments.max()), presses.friction
     rope: Span = model.layout.span(model.layout.rope_of(first)[0])
     inner = rope.first < first and last < rope.last - 1
     before = float(tension[first - 1]) if first > rope.first else 0.0
     after = float(tension[last + 1]) if last < rope.last - 1 else 0.0
-    angle = _turn(model, x, segments, pressed)
-    least, most = before * math.exp(-mu * angle), before * math.exp(mu * angle)
+    angle, holds = _turn(model, x, tension, presses)
+    least, most = before * math.exp(-holds), before * math.exp(holds)
     held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 2)).any()
     fits = (1.0 - _ROUNDING) * least <= after <= (1.0 + _ROUNDING) * most
     if mu == 0.0 or not inner or before == 0.0 or held or not fits:
@@ -212,15 +230,30 @@ def _strand(
     return Strand(rope.name, first - start, last - start, angle, before, after, least, most)
 
 
-def _turn(model: Model, x: Floats, segments: Ints, pressed: Floats) -> float:
-    """Return by how much segments (c,) turn towards what presses on them with forces (c, 3) [N]; in rad."""
-    angle = 0.0
-    for node in map(int, np.unique([segments, segments + 1])):
-        force = pressed[(segments == node) | (segments == node - 1)].sum(axis=0)
+def _turn(model: Model, x: Floats, tension: Floats, presses: _Presses) -> tuple[float, float]:
+    """Return by how much a strand turns towards what presses on it [rad], and ln(T2/T1) that holds.
+
+    Where friction carries S across the rope of the mu N that it can, sqrt((mu N)^2 - S^2) is left along it:
+    the sum of sqrt(mu^2 - (S/N)^2) times the angle, as of a wrap (`statics.wraps`); what presses, N, and S
+    grow with the tension alike. Of the angle at a node that counts which N makes, N = 2 T sin(angle / 2): not
+    what the rope's own weight, or another one on it, turns it by.
+    """
+    square = np.cross(presses.push, np.diff(x)[:, presses.segments].T)
+    across = (presses.rub * square).sum(axis=1) / np.linalg.norm(square, axis=1)
+    push = np.linalg.norm(presses.push, axis=1)
+    angle = holds = 0.0
+    for node in range(int(presses.segments.min()), int(presses.segments.max()) + 2):
+        share = presses.share_of(node)
+        force = share @ presses.push
         size = float(np.linalg.norm(force))
         if size > 0.0:
-            angle += float(turn_towards(x, node, *(force / size), model.state.stiffness))
-    return angle
+            turn = float(turn_towards(x, node, *(force / size), model.state.stiffness))
+            pull = float(tension[max(node - 1, 0) : node + 1].mean())
+            made = 2.0 * math.asin(min(0.5 * size / pull, 1.0)) if pull > 0.0 else 0.0
+            used = float(share @ across / (share @ push))
+            angle += turn
+            holds += min(turn, made) * math.sqrt(max(presses.friction**2 - used**2, 0.0))
+    return angle, holds
 
 
 def seats(model: Model, memory: Any, x: Floats, tension: Floats) -> tuple[Seat, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 from typing import Any
@@ -138,12 +139,25 @@ def sliding_words(lie: tuple[Wrap, ...]) -> str:
         for wrap in full
     }
     names = ", ".join(sorted(rubs))
+    remedy = "Give more friction, more turns, or an anchor"
+    if _shared(full):  # as in a groove, whose sides hold on steeper slopes than one plane would
+        return f"On {names} friction carries all it can. {remedy}"
     slope = min(math.degrees(math.atan(wrap.friction)) for wrap in full)
     which = " with the least of them" if len(rubs) > 1 else ""
     return (
         f"On {names} friction carries all it can: it holds on slopes of up to atan(friction) = "
         f"{slope:.4g} degrees{which}, and round a drum by a factor of up to exp(friction angle) of the "
-        "tensions. Give more friction, more turns, or an anchor"
+        f"tensions. {remedy}"
+    )
+
+
+def _shared(lie: list[Wrap]) -> bool:
+    """Tell whether some nodes lie on several bodies."""
+    return any(
+        one.rope == other.rope
+        and one.obstacle != other.obstacle
+        and max(one.first, other.first) <= min(one.last, other.last)
+        for one, other in itertools.combinations(lie, 2)
     )
 
 
@@ -217,10 +231,15 @@ def _allowed(
 ) -> tuple[float, float, bool]:
     """Return the least and the largest tension after a stretch that friction holds [N], see `Wrap`.
 
-    Node by node from the tension before it, in the shape as it is, with friction all one way, or all the
-    other: in the plane of the normal and of the rope's way over it. Round a drum without weight it is
+    Node by node from the tension before it, in the shape as it is, with all of friction that what the rope
+    needs across leaves along it, one way or the other (`_held`). Round a drum without weight it is
     exp(-mu theta) and exp(mu theta) times the tension before. Where the rope ends there it is taken from
     that end, without tension, back.
+
+    A rope that turns by a towards the surface and by b within it presses with T a and needs T b across, so
+    that dT = T sqrt((mu a)^2 - b^2) is left along it: on a sphere of radius R, along a circle R sin(beta) off
+    its centre, exp(theta sqrt(mu^2 - tan^2 beta)) in all.
+    Source: Maddocks & Keller 1987, Ropes in equilibrium, SIAM J. Appl. Math. 47:1185.
     """
     row_of = {int(contacts.node[row]): row for row in rows}
     nodes = np.arange(min(row_of), max(row_of) + 1)
@@ -229,7 +248,7 @@ def _allowed(
     given = int(nodes[0]) - (step > 0)
     start = float(tension[given]) if rope.start <= given < rope.end else 0.0
     ends = []
-    for sense in (-1.0, 1.0):
+    for more in (False, True):
         pull = start
         for i in nodes:
             if i == far:  # all of the rope lies there
@@ -241,18 +260,32 @@ def _allowed(
             )
             out = _unit(x[:, i + step] - x[:, i])
             row = row_of.get(int(i))
-            mu = contacts.friction[row] if row is not None else 0.0
+            mu = float(contacts.friction[row]) if row is not None else 0.0
             n = contacts.normal[row] if row is not None else _unit(into - out)
-            along = _unit(into + out - n * (n @ (into + out)))
-            # T' out - T into + w + R_n (n - sense mu along) = 0, T' the tension after the node
-            side = along + sense * mu * n  # on which R does not act
-            grip = float(side @ out)
-            if not grip > _JAMS:
-                pull = math.inf
+            pull = _held(pull * into - others[:, i], out, n, mu, more=more)
+            if math.isinf(pull):
                 break
-            pull = max(float(side @ (pull * into - others[:, i])) / grip, 0.0)
         ends.append(pull)
     return min(ends), max(ends), step < 0
+
+
+def _held(given: Floats, out: Floats, n: Floats, mu: float, *, more: bool) -> float:
+    """Return the largest tension T of the segment along `out` that a contact holds [N], or the least.
+
+    With c the `given` force, R = c - T out has to be within the cone of friction about the normal `n`,
+        |c_t - T o_t|^2 = mu^2 (c_n - T o_n)^2
+    at its edge: what R carries across the rope it lacks along it. inf where the node jams; where no tension
+    would do, the one that comes nearest.
+    """
+    down, deep = float(given @ n), float(out @ n)
+    across, over = given - down * n, out - deep * n
+    a = float(over @ over) - (mu * deep) ** 2
+    b = float(across @ over) - mu**2 * down * deep
+    c = float(across @ across) - (mu * down) ** 2
+    root = math.sqrt(max(b * b - a * c, 0.0))
+    if not a > _JAMS:
+        return math.inf if more or not b > 0.0 else max(c / (b + root), 0.0)
+    return max((b + root if more else b - root) / a, 0.0)
 
 
 def _unit(direction: Floats) -> Floats:

@@ -13,7 +13,7 @@ from ropewalk.api import explain
 from ropewalk.core.arrays import Floats
 from ropewalk.engine.spare import Spare
 from ropewalk.lowering import Model
-from ropewalk.record.facts import AT_REST, BROKE, FINISHED
+from ropewalk.record.facts import AT_REST, FINISHED
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory
@@ -26,8 +26,6 @@ from ropewalk.sweeps.parameters import Parameter
 from ropewalk.sweeps.workshop import Workshop
 
 REFUSED, NO_REST, FAILED = "refused", "no rest", "failed"
-#: How a run may end; the last four are broken ones.
-STATUSES = (FINISHED, AT_REST, BROKE, REFUSED, NO_REST, FAILED)
 GOOD = (FINISHED, AT_REST)
 RUN, REST = "run", "rest"
 

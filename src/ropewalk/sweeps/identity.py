@@ -24,7 +24,6 @@ KEPT_BY = (
     "record/quantities.py",
     "record/rest.py",
     "record/result.py",
-    "record/simulate.py",
     "record/source.py",
     "sweeps/batch.py",
     "sweeps/keep.py",

@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.books import told
+from ropewalk.record.extremes import had_rope
+from ropewalk.record.parted import count_parted
 from ropewalk.record.quantities import BY_NAME, labels
 from ropewalk.record.result import Result
 from ropewalk.scene import SceneError
@@ -95,8 +97,7 @@ def _sag(result: Result) -> Floats:
 
 
 def _parted(result: Result) -> Floats:
-    times = [one.time for one in result.partings]
-    return np.searchsorted(times, result.time, side="right").astype(np.float64)
+    return count_parted(result.partings, result.time, result.plan.method).astype(np.float64)
 
 
 DERIVED: dict[str, Derived] = {
@@ -201,8 +202,10 @@ class Kept:
             "elastic_tension",
             "stretch",
         ):  # none where there is no rope
-            live = result.live if self.picks is None else self._picked(result, result.live, dims)[0]
-            array = np.where(live, array, np.nan)
+            there = result.live if self.of_steps is None else had_rope(result)
+            if self.picks is not None:
+                there = self._picked(result, there, dims)[0]
+            array = np.where(there, array, np.nan)
         return self._reduced(array, dims)
 
     def _picked(

@@ -148,6 +148,7 @@ def droop(
     Of several ropes in the scene `rope` names the one.
     """
     found = _numbers("droop", values)
+    refuse_unless_whole("droop.node", node)
     return _Droop(
         "droop", "m", found, _error("droop", error), rest=("positions[-1]",), node=node, rope=rope
     )
@@ -212,8 +213,10 @@ class _Swing(Measurement):
     ) -> Floats:
         from ropewalk.vibration import modes
 
-        found = modes(build(scene), count=self.mode)
-        return np.full(self.values.shape, 1.0 / found.frequencies[self.mode - 1])
+        found = modes(build(scene), count=self.mode).frequencies
+        if self.mode > len(found):
+            raise InputError("swing.mode", self.mode, f"there are {len(found)} modes")
+        return np.full(self.values.shape, 1.0 / found[self.mode - 1])
 
 
 def swing(periods: ArrayLike, error: float | None = None, *, mode: int = 1) -> Measurement:

@@ -132,10 +132,14 @@ def rope_from_fall(
     need("stretch", stretch, "1")
     need("mass", mass, "kg")
     need("factor", factor, "1")
+    need("length", length, "m")
+    need("gravity", gravity, "m/s^2")
+    softest = mass * gravity / stretch  # at rest it would stretch so
+    stiffest = 2.0 * softest * (factor / stretch + 1.0)  # without damping it does
 
     def fall(share: float) -> tuple[Fall, float, float]:
         """The fall that has the stretch, with a damping that is this share of the critical one."""
-        low, high = 1e-3, 1e9
+        low, high = softest, stiffest
         for _ in range(_ROUNDS):
             EA = math.sqrt(low * high)
             damping = 2.0 * share * math.sqrt(EA * length * mass)

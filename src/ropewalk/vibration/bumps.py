@@ -1,4 +1,4 @@
-"""What is to be said of a load that rolls on a line: segments make bumps, which shift its frequency.
+"""What is to be said of loads that roll on a line, and wheels under one: segments make bumps.
 
 On a light line that does not stretch it runs on an ellipse about both ends of the line, whose radius of
 curvature is rho = (p q)^(3/2) / (a b) where it is p and q from them, 2 a = p + q, b^2 = a^2 - c^2, 2 c the
@@ -6,6 +6,9 @@ distance of the ends; about its lowest place it swings with omega^2 = g / rho. A
 one or two of them, and what rolls over these goes up and down with every node. Measured, on sides of 2.6 to
 14 degrees and 20 to 160 segments: omega^2 is up to 0.25 n tan^2 too large with the lowest place at a node,
 up to 0.48 n tan^2 too small between two, n the line's length in segments: more on finer lines.
+
+Of a wheel the stiffness that corners add is known (`turning.Turns`): without it omega^2 is less by its share
+of the mode, to first order.
 """
 
 from __future__ import annotations
@@ -15,14 +18,49 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.scene.slide import Slide
 
 if TYPE_CHECKING:
     from ropewalk.vibration.modes import Modes
+    from ropewalk.vibration.solve import Complex
+    from ropewalk.vibration.turning import Turns
 
 _BUMPS = 0.48  # by which omega^2 is off, over n tan^2 of the sides [1]
 _HALF, _CENT = 0.5, 100.0
+_NOTHING = 0.2  # of a frequency: what is left of it where corners make it [1]
 _TOLD = 0.04  # of a frequency: what may be off without a word [1]
+
+
+def wheel_notes(
+    values: Complex, flat: Complex, mass: Floats, bodies: tuple[Turns, ...]
+) -> tuple[str, ...]:
+    """Return a sentence for every wheel that corners of its rope hold, for the mode of which they make most.
+
+    Args:
+        values: eigenvalues (m,) [1/s].
+        flat: shapes (m, u), the turning of the bodies at their end.
+        mass: (u,) [kg].
+        bodies: those.
+    """
+    found = []
+    for number, body in enumerate(bodies):
+        turn = np.abs(flat[:, mass.size - len(bodies) + number]) ** 2
+        added = body.bump * turn / (mass * np.abs(flat) ** 2).sum(axis=1)  # to omega^2
+        square = values.imag**2
+        share = np.divide(added, square, out=np.zeros_like(added), where=square > 0.0)
+        mode = int(np.argmax(share)) if share.size else 0
+        if not share.size or 1.0 - math.sqrt(max(1.0 - float(share[mode]), 0.0)) < _TOLD:
+            continue
+        rate = math.sqrt(max(1.0 - float(share[mode]), 0.0)) * math.sqrt(float(square[mode]))
+        smooth = rate / (2.0 * math.pi)
+        now = math.sqrt(float(square[mode])) / (2.0 * math.pi)
+        told = "0: it turns on" if smooth < _NOTHING * now else f"{smooth:.3g} Hz"
+        found.append(
+            f"pulley {body.name!r} turns in mode {mode + 1} at {now:.4g} Hz, held by corners of the rope, "
+            f"whose segments make bumps there; without segments it is {told}"
+        )
+    return tuple(found)
 
 
 def bump_notes(modes: Modes) -> list[str]:

@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.vibration.linear import Linear
 
+_ROUNDING = 1e-14  # of the largest stiffness beside that of segments: what is less is none [1]
 _SINGULAR = (
     1e14  # flexibility, in units of the model's own, beyond which something moves freely [1]
 )
@@ -63,9 +64,11 @@ def rate(linear: Linear) -> float:
     """Return a middle frequency of the model, from its diagonals [1/s].
 
     The slow modes of stiff ropes must not count as free: of stiff segments no more than `_STIFF` times
-    their tension counts, of rigid links nothing.
+    their tension counts, of rigid links nothing, nor stiffness that is rounding: of a rope that lies there
+    it is what most nodes have sideways.
     """
     soft, other = linear.soft, np.abs(linear.other.diagonal())
+    other[other <= _ROUNDING * other.max(initial=0.0)] = 0.0
     hard = np.divide(1.0, soft, out=np.zeros_like(soft), where=soft > 0.0)
     if other.any():
         hard = np.minimum(hard, _STIFF * np.median(other[other > 0.0]))

@@ -14,13 +14,11 @@ from ropewalk.core.elimination import tied_network
 from ropewalk.core.saddle import make_saddle
 from ropewalk.display import cells
 from ropewalk.laws.acting import at_rest, relaxed
-from ropewalk.laws.contact_frame import GRIP
 from ropewalk.laws.node_law import Rest
 from ropewalk.lowering import Layout, Model, build
 from ropewalk.lowering.elastic_tables import put_tension
 from ropewalk.lowering.limiter_bounds import beyond_bounds
 from ropewalk.lowering.link_lengths import has_links
-from ropewalk.lowering.touching import SLIPS
 from ropewalk.methods.loop import prepare_links
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
@@ -28,13 +26,15 @@ from ropewalk.scene.obstacles import is_free
 from ropewalk.statics import Statics, checked_shape
 from ropewalk.statics.coupled import NoRoom
 from ropewalk.statics.standing import standing
-from ropewalk.vibration.bumps import bump_notes
+from ropewalk.vibration.bumps import bump_notes, wheel_notes
 from ropewalk.vibration.drawing import ModePlots
 from ropewalk.vibration.flexibility import NoModes
+from ropewalk.vibration.holding import full, full_note, held, slip_note, slipping
 from ropewalk.vibration.linear import Linear, linearise
-from ropewalk.vibration.motion import TURNS, Motion, motions, plane_normal, turnings
+from ropewalk.vibration.motion import TURNS, Motion, motions, turnings
+from ropewalk.vibration.plane import Plane, plane_of
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
-from ropewalk.vibration.turning import with_wheels
+from ropewalk.vibration.turning import Turns, with_wheels
 from ropewalk.vibration.unrelaxed import relaxing_notes
 
 About = Literal["equilibrium", "start"]
@@ -54,6 +54,11 @@ class Modes:
     # (m, n, 3) displacements, the largest of a mode 1 and real; where a body turns, it or a rope
     shapes: Complex
     motions: tuple[Motion, ...]  # what moves how
+    normal: Floats | None = None  # (3,) unit normal of every rope's plane; None: there is no such
+    # contacts with friction that carry nearly all they can at rest, and all that have any; slides, too
+    at_limit: tuple[int, int] = (0, 0)
+    slips_on: tuple[str, ...] = ()  # obstacles whose surface moves along under what touches it
+    bumps: tuple[str, ...] = ()  # sentences on wheels that corners of ropes hold
 
     @property
     def count(self) -> int:
@@ -108,12 +113,14 @@ class Modes:
     @property
     def notes(self) -> list[str]:
         """What to know of the numbers: where they are known to be off."""
-        held = [
+        stands = [
             f"pulley {body.name!r} stands: dry friction of its bearing holds it in small motions"
             for body in self.scene.obstacles
             if is_free(body) and body.spin.bearing > 0.0  # type: ignore[union-attr]
         ]
-        return held + bump_notes(self) + relaxing_notes(self)
+        slips = [slip_note(self.slips_on)] if self.slips_on else []
+        slips += [full_note(*self.at_limit)] if self.at_limit[0] else []
+        return [*stands, *slips, *self.bumps, *bump_notes(self), *relaxing_notes(self)]
 
     @property
     def plot(self) -> ModePlots:
@@ -152,13 +159,15 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
             "with it modes are about the equilibrium, in which contacts are known; leave out spin"
         )
         raise SceneError([Fault(f"obstacle[{wheels[0]}].spin.free", True, rule)])
-    built, names = model, tuple[str, ...]()
+    built, bodies = model, tuple[Turns, ...]()
     x, tension, model = shape_about(model, about)
     _refuse_bounds(model, x, about)
+    model, slips_on = slipping(model, built, x)
+    at_limit, model = full(model), held(model)
     try:
         linear = linearise(replace(model, system=relaxed(model.system)), x, tension)
         if wheels:
-            linear, names = with_wheels(linear, built, model.state.memory.obstacle, x, tension)
+            linear, bodies = with_wheels(linear, built, model.state.memory.obstacle, x, tension)
     except NoRoom as error:
         raise NoModes(str(error)) from None
     if linear.loose:
@@ -168,8 +177,10 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         values, flat = solve(linear, count + more)
     except NoModes as error:
         raise NoModes(f"{error}{_on_a_bump(model)}") from None
-    flat = _untangled(values, flat, linear, plane_normal(model, x))[:count]
-    shapes, found = _told(model, x, linear, flat, names)
+    plane = plane_of(model, x)
+    flat = _untangled(values, flat, linear, plane.normal)[:count]
+    names = tuple(body.name for body in bodies)
+    shapes, found = _told(model, x, linear, flat, names, plane)
     return Modes(
         scene=model.scene,
         layout=model.layout,
@@ -178,11 +189,15 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         eigenvalues=values[:count],
         shapes=shapes,
         motions=found,
+        normal=plane.normal if plane.flat else None,
+        at_limit=at_limit,
+        slips_on=slips_on,
+        bumps=wheel_notes(values[:count], flat, linear.mass, bodies),
     )
 
 
 def _told(
-    model: Model, x: Floats, linear: Linear, flat: Complex, names: tuple[str, ...]
+    model: Model, x: Floats, linear: Linear, flat: Complex, names: tuple[str, ...], plane: Plane
 ) -> tuple[Complex, tuple[Motion, ...]]:
     """Return the shapes (m, n, 3) of modes (m, 3 f + b) of f nodes and b bodies, scaled, and what each is."""
     places, free = 3 * linear.nodes.size, linear.follows >= 0
@@ -191,7 +206,7 @@ def _told(
         :, linear.follows[free]
     ]
     scaled = _scaled(shapes)
-    found = motions(model, x, scaled, plane_normal(model, x))
+    found = motions(model, x, scaled, plane)
     if not names:
         return scaled, found
     energy = linear.mass * np.abs(flat) ** 2
@@ -263,12 +278,12 @@ def highest_frequency(model: Model, x: Floats, tension: Floats) -> float | None:
 def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
     """Return the places (3, n) [m] and tensions (s,) [N] of the shape that modes are about, and the model.
 
-    At rest on obstacles its contacts carry what they do there; those that slip are free to.
+    At rest its contacts, and what slides, carry what they do there.
     """
     if about == "equilibrium":
         statics = checked_shape(model)
         x = np.ascontiguousarray(statics.positions.T)
-        return x, statics.elastic_tension, _held_by_contacts(model, statics, x)
+        return x, statics.elastic_tension, _at_rest(model, statics)
     state, rigid = model.state, np.isinf(model.state.stiffness)
     stretch = np.sqrt((np.diff(state.x, axis=1) ** 2).sum(axis=0)) - state.rest_length
     stretch[np.abs(stretch) <= _ROUNDING * np.abs(state.x).max()] = 0.0
@@ -280,19 +295,13 @@ def shape_about(model: Model, about: About) -> tuple[Floats, Floats, Model]:
     return state.x.copy(), tension, model
 
 
-def _held_by_contacts(model: Model, statics: Statics, x: Floats) -> Model:
-    """Return the model with contacts as they are at rest: what slips has no friction for small motions.
-
-    Of contacts of ropes and of slides `statics.coupled` sees to that.
-    """
-    if statics.memory is None or statics.contacts is None:
+def _at_rest(model: Model, statics: Statics) -> Model:
+    """Return the model with what contacts and slides carry at rest, bodies as they stand there."""
+    if statics.memory is None:
         return model
-    memory, state = arrays.copy(statics.memory), arrays.copy(model.state)
-    contacts = statics.contacts
-    free = contacts.use >= SLIPS
-    memory.obstacle.grip[contacts.obstacle[free], GRIP, contacts.node[free]] = 0.0
-    arrays.assign(state.memory, memory)
-    return replace(model, system=standing(model.system, memory), state=state)
+    state = arrays.copy(model.state)
+    arrays.assign(state.memory, statics.memory)
+    return replace(model, system=standing(model.system, state.memory), state=state)
 
 
 def _held_tension(model: Model) -> Floats:

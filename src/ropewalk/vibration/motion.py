@@ -12,20 +12,21 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model, Span
+from ropewalk.vibration.plane import Plane
 from ropewalk.words.annotations import unquoted
 
 Complex = NDArray[np.complex128]
 TURNS = "turns"
 _MOST = 0.5  # of the kinetic energy in the turning of bodies: the mode is theirs [1]
 _SEEN = 0.05  # of the largest displacement: what counts as a motion of its own [1]
-_STRAIGHT = 1e-8  # of the extent: a shape narrower than this is a straight line [1]
 
 
 @unquoted
 class Motion(NamedTuple):
     """One mode in words; the shares are of its kinetic energy and add up to 1."""
 
-    name: str  # "along", "in plane", "out of plane", "sideways", of a body "turns"
+    # "along", "in plane", "out of plane", of what is upright or not plane "sideways", of a body "turns"
+    name: str
     rope: str  # the rope that moves most, or the body that turns
     half_waves: int  # of the leading part of the motion
     along: float
@@ -34,35 +35,14 @@ class Motion(NamedTuple):
     turning: float = 0.0  # of bodies that turn freely
 
 
-def plane_normal(model: Model, x: Floats) -> Floats:
-    """Return the unit normal (3,) of the plane of a shape `x` (3, n).
-
-    A straight shape lies in the upright plane through it; an upright one in any, of which one is taken.
-    """
-    alive = model.state.mass > 0.0
-    points = x[:, alive] - x[:, alive].mean(axis=1, keepdims=True)
-    axes, sizes, _ = np.linalg.svd(points, full_matrices=False)
-    up = np.array(model.scene.up)
-    if len(sizes) > 1 and sizes[1] > _STRAIGHT * max(sizes[0], 1e-300):
-        normal = np.cross(axes[:, 0], axes[:, 1])
-    else:
-        normal = np.cross(axes[:, 0], up)
-        if np.linalg.norm(normal) < 1e-6:
-            normal = np.cross(up, np.eye(3)[int(np.argmin(np.abs(up)))])
-    normal = normal / np.linalg.norm(normal)
-    lead = normal[int(np.argmax(np.abs(normal)))]
-    return np.asarray(normal * np.sign(lead))
-
-
-def motions(model: Model, x: Floats, shapes: Complex, normal: Floats) -> tuple[Motion, ...]:
+def motions(model: Model, x: Floats, shapes: Complex, plane: Plane) -> tuple[Motion, ...]:
     """Describe all modes; `shapes` (m, n, 3)."""
     tangent = _tangents(model, x)
-    across = np.cross(normal, tangent)
-    upright = _is_upright(model, x)
+    across = np.cross(plane.normal, tangent)
     found = []
     for shape in shapes:
         parts = np.stack(
-            [(shape * tangent).sum(axis=1), (shape * across).sum(axis=1), shape @ normal]
+            [(shape * tangent).sum(axis=1), (shape * across).sum(axis=1), shape @ plane.normal]
         )
         energy = model.state.mass * np.abs(parts) ** 2  # (3, n)
         total = float(energy.sum()) or 1.0
@@ -72,7 +52,7 @@ def motions(model: Model, x: Floats, shapes: Complex, normal: Floats) -> tuple[M
         own = energy[:, rope.first : rope.last + 1].sum(axis=1)
         lead = int(np.argmax(own))
         name = ("along", "in plane", "out of plane")[lead]
-        if upright and lead > 0:
+        if lead > 0 and (plane.upright[model.layout.ropes.index(rope)] or not plane.flat):
             name = "sideways"
         shares = energy.sum(axis=1) / total
         waves = _half_waves(parts[lead], rope)
@@ -120,17 +100,6 @@ def _tangents(model: Model, x: Floats) -> Floats:
         size = np.linalg.norm(sums, axis=1)
         tangent[span.start : span.end + 1] = sums / np.maximum(size, 1e-300)[:, None]
     return tangent
-
-
-def _is_upright(model: Model, x: Floats) -> bool:
-    alive = model.state.mass > 0.0
-    points = (x[:, alive] - x[:, alive][:, :1]).T
-    up = np.array(model.scene.up)
-    aside = points - np.outer(points @ up, up)
-    size = float(np.abs(points).max(initial=0.0))
-    return bool(np.abs(aside).max(initial=0.0) <= 1e-6 * size) and bool(
-        np.any(model.system.gravity)
-    )
 
 
 def _half_waves(part: Complex, rope: Span) -> int:

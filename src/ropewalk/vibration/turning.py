@@ -13,7 +13,7 @@ moment of inertia over R^2. A bearing with dry friction holds its wheel in motio
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -31,12 +31,19 @@ from ropewalk.vibration.linear import Linear
 _TURNED = 1e-3  # of the largest tension times the radius: a torque beyond the bearing's [1]
 
 
+class Turns(NamedTuple):
+    """A body that turns as an unknown of its own, u = R times its angle [m]."""
+
+    name: str
+    bump: float  # what corners of the ropes that leave it add to its stiffness [N/m]
+
+
 def with_wheels(
     linear: Linear, model: Model, memory: Memory, x: Floats, tension: Floats
-) -> tuple[Linear, tuple[str, ...]]:
+) -> tuple[Linear, tuple[Turns, ...]]:
     """Return a model linearised about places (3, n) [m] with the turning of its wheels at the unknowns' end.
 
-    And the names of those that turn, in order.
+    And those that turn, in order.
 
     Args:
         linear: with wheels that stand.
@@ -46,14 +53,14 @@ def with_wheels(
 
     Raises SceneError for a wheel that is not at rest there.
     """
-    table, names = model.system.node.obstacle, list[str]()
+    table, found = model.system.node.obstacle, list[Turns]()
     for row, w in enumerate(table.wheel):
         name = model.scene.obstacles[row].name
         if w >= 0 and depends_on_angle(table, row):
             _refuse_driven(model, memory, x, w, tension)
             if table.bearing[w] == 0.0:
                 linear = _with_lever(linear, table, lever_of(table, memory, row, x), w)
-                names.append(name)
+                found.append(Turns(name, 0.0))
             continue
         nodes = np.flatnonzero((memory.grip[row, PUSH] > 0.0) & (memory.grip[row, GRIP] > 0.0))
         nodes = nodes[linear.follows[nodes] >= 0]
@@ -75,8 +82,38 @@ def with_wheels(
             linear = _with_wheel(
                 linear, table, memory, row, nodes, arms, round_ / radius, force, radius
             )
-            names.append(name)
-    return linear, tuple(names)
+            found.append(
+                Turns(name, _bump(model, x, tension, nodes, arms, table.axis[row], radius))
+            )
+    return linear, tuple(found)
+
+
+def _bump(
+    model: Model,
+    x: Floats,
+    tension: Floats,
+    nodes: Ints,
+    arms: Floats,
+    axis: Floats,
+    radius: float,
+) -> float:
+    """Return how stiff corners of ropes hold a wheel that they leave at these nodes [N/m], see `Turns`.
+
+    A rope leaves it along t from a node at the arm a, which the wheel takes along: its torque, that of T t at
+    a, falls by T t . a for each radian. A smooth rope leaves it where t . a = 0, however it stands.
+    """
+    pull = np.where(model.state.stiffness > 0.0, tension, 0.0)
+    pull, total = np.concatenate([[0.0], pull, [0.0]]), 0.0  # pull[i]: of the segment before node i
+    breaks = np.flatnonzero(np.diff(nodes) > 2)
+    for at, step in ((np.append(0, breaks + 1), -1), (np.append(breaks, nodes.size - 1), 1)):
+        for k in at:
+            node = int(nodes[k])
+            force = float(pull[node + (step > 0)])
+            if force > 0.0:
+                way = x[:, node + step] - x[:, node]
+                level = arms[k] - (arms[k] @ axis) * axis
+                total += force * float(way @ level) / float(np.linalg.norm(way))
+    return total / radius**2
 
 
 def _refuse_driven(model: Model, memory: Memory, x: Floats, w: int, tension: Floats) -> None:

@@ -30,7 +30,14 @@ def rounded_up(value: float, figures: int = 3) -> str:
 
 def percent_up(value: float, figures: int = 2) -> str:
     """Return a number of per cent that is not negative as `percent` does, never below it."""
-    return percent(float(rounded_up(value * (1.0 - _SOLVED), figures)), figures)
+    bound = value * (1.0 - _SOLVED)
+    whole = len(f"{bound:.0f}")  # digits before the point stand all
+    return percent(float(rounded_up(bound, max(figures, whole))), figures)
+
+
+def times_up(utilisation: float) -> str:
+    """Return a utilisation [1] as so many times the breaking load, never below it."""
+    return rounded_up(utilisation * (1.0 - _SOLVED))
 
 
 def safety_factor(utilisation: float) -> str:

@@ -59,7 +59,7 @@ def settle(
         with telling_of_compiling():
             model = build(loaded)
             rest, result = rest_and_result(model)
-            spans = rest_spans(model, result.positions[0], result.tension[0], rest.residual)
+            spans = rest_spans(model, result.positions[0], result.tension[0], rest.left)
         if output is not None:
             result = result.save(output, overwrite=overwrite)
     if loaded.limiter is not None and not all(rope.rigid for rope in loaded.ropes):

@@ -1,7 +1,7 @@
 """The force of contacts of segments: as that of obstacles, between two points of ropes.
 
 With u the vector from a point of segment j to one of segment i, both frozen like the normal n, d the sum
-of the radii, g = n.u - d - e (e fades, see `pair_memory`), P = I - n n^T, D what the vector between the
+of the radii, g = n.u - d - e (e see `offsets`), P = I - n n^T, D what the vector between the
 surfaces (`table.apart`) has changed by since the last accepted step, D' its rate, and R' the friction
 spring's force then,
     R_n = max(0, R(-g) - c n.u')                       it presses

@@ -22,10 +22,13 @@ from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach
 from ropewalk.laws.pairs.boxes import room_for
 from ropewalk.laws.pairs.brake import brake_again, brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
+from ropewalk.laws.pairs.heaps import leads
+from ropewalk.laws.pairs.offsets import swap_offsets
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
 from ropewalk.laws.pairs.search import note_ropes
+from ropewalk.laws.pairs.swept import runs_of
 from ropewalk.laws.pairs.table import (
     ASKED,
     BRAKE,
@@ -34,6 +37,7 @@ from ropewalk.laws.pairs.table import (
     FAULT,
     HARD,
     LEAN,
+    LIFTED,
     NEW,
     SEEN,
     STOP,
@@ -70,12 +74,18 @@ def lower(
     whole: Sequence[float],
     joints: Sequence[Joint],
     slides: Sequence[Slide],
+    bound: Sequence[Sequence[int]],
 ) -> Pairs:
-    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg]."""
+    """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg].
+
+    `bound` are groups of ropes that pull on each other, contact or not, by their numbers.
+    """
     s = layout.segments if contact is not None else 0
     table = Pairs(
         friction=np.zeros((0, 0)) if contact is None else contact.frictions(ropes),
         skin=np.zeros(1),
+        total=np.array([rope.total_mass for rope in ropes]),
+        lead=leads(len(ropes), bound),
         radius=np.zeros(s),
         lever=np.zeros(s),
         soft=np.zeros(s),
@@ -175,13 +185,13 @@ def acts(table: Pairs) -> bool:
 def memory(table: Pairs, x: Floats, stiffness: Floats, _held: Ints | None = None) -> Memory:
     """Return what is remembered at the start, for nodes at places (3, n) [m]: no force."""
     s = len(table.rope)
-    rows = max(ROWS * s, LEAST_ROWS) if s else 0
+    rows = min(max(ROWS * s, LEAST_ROWS), max(s * (s - 1) // 2, 1)) if s else 0
     listed = min(s * (s - 1) // 2, LISTED * s + LEAST_ROWS)
     found = Memory(
         pair=np.zeros((rows, 2), np.int64),
         grip=np.zeros((rows, WIDTH)),
         near=np.zeros((max(listed, 1) if s else 0, 2), np.int64),
-        tally=np.zeros(9 if s else 0, np.int64),
+        tally=np.zeros(10 if s else 0, np.int64),
         place=x.copy() if s else np.zeros((3, 0)),
         origin=np.full((3, x.shape[1]), 1e150) if s else np.zeros((3, 0)),
         box=np.zeros((s, 6)),
@@ -189,8 +199,9 @@ def memory(table: Pairs, x: Floats, stiffness: Floats, _held: Ints | None = None
         tree=np.zeros((room_for(s) if s else 0, 6)),
         rope=np.full(s, -1, np.int64),
         way=np.zeros((3, x.shape[1] if s else 0)),
-        books=np.zeros(3 if s else 0),
+        books=np.zeros(4 if s else 0),
         inside=np.zeros((len(table.inside), 2), np.int64),
+        swept=runs_of(table.rope),
     )
     if s:
         note_ropes(table, found, stiffness)
@@ -295,8 +306,10 @@ def fault(table, state):
 
 @part
 def touch(table, state, force):
-    """Add the force of all contacts at the state itself [N], (3, n)."""
+    """Add the force of all contacts at the state itself [N], (3, n), with the offsets of its step."""
+    swap_offsets(state.memory.contact)
     add_pair_forces(state.x, state.v, table, state.memory.contact, force)
+    swap_offsets(state.memory.contact)
 
 
 @part
@@ -309,6 +322,12 @@ def rounding(table, state, x):
 def energy(table, state, x):
     """Return what contacts have stored [J]."""
     return pair_energy(x, table, state.memory.contact)
+
+
+@part
+def given(table, state, x):
+    """Return what offsets have given contacts that lie still [J]."""
+    return max(state.memory.contact.books[LIFTED], 0.0)
 
 
 def at_rest(table: Pairs) -> Rest:
@@ -351,7 +370,7 @@ CONTACT = NodeLaw(
     name="contact",
     section="contact",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "joints", "slides"),
+    inputs=("layout", "ropes", "whole", "joints", "slides", "bound"),
     acts=acts,
     force=force,
     tangent=tangent,
@@ -363,6 +382,7 @@ CONTACT = NodeLaw(
     touch=touch,
     rounding=rounding,
     energy=energy,
+    given=given,
     at_rest=at_rest,
     bears=touched,
     cases=cases,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.pairs.force import pair_energy
-from ropewalk.laws.pairs.table import CONTACTS, SPRING, STIFF
+from ropewalk.laws.pairs.table import CONTACTS, LIFTED, SPRING, STIFF
 
 
 @deferred()
@@ -38,5 +38,6 @@ def rubbed_energy(memory):
 def record_pair_books(x, table, memory, out):
     """Write the entries of all ropes on ropes, (5,) [J]; see `contact_books.ENTRIES`."""
     pressed, rubbed = pair_energy(x, table, memory), rubbed_energy(memory)
-    out[0], out[1], out[2] = 0.0, memory.books[0] + pressed, memory.books[1] + rubbed
+    lifted = memory.books[LIFTED]
+    out[0], out[1], out[2] = lifted, memory.books[0] + pressed - lifted, memory.books[1] + rubbed
     out[3], out[4] = -pressed - rubbed, memory.books[2]

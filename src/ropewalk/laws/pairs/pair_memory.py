@@ -22,18 +22,19 @@ from ropewalk.laws.pairs.distance import (
     relative_way,
 )
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
+from ropewalk.laws.pairs.offsets import lead_offsets
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
+from ropewalk.laws.pairs.swept import sweep
 from ropewalk.laws.pairs.table import (
     APART,
     CONTACTS,
-    EXTRA,
     FAULT,
     FIRST,
     FOUND,
     FULL,
     GONE,
     LAYER,
-    MORE,
+    LEFT,
     NEAR,
     NORMAL,
     OTHER,
@@ -57,7 +58,6 @@ from ropewalk.laws.pairs.table import (
 )
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
-FADES = 0.03  # [s]
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
 EVEN = 1e-3  # [1] weight of the speeds along segments, over that of what they do not explain
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
@@ -258,6 +258,7 @@ def inherit(x, table, memory, row):
                 continue
             grip[row, PUSH] += grip[other, PUSH]
             grip[row, STIFF] = max(grip[row, STIFF], grip[other, STIFF])
+            grip[row, LEFT] = max(grip[row, LEFT], grip[other, LEFT])
             grip[other, PUSH] = 0.0
             for k in range(3):
                 grip[row, SPRING + k] += grip[other, SPRING + k]
@@ -280,15 +281,6 @@ def pass_on(x, table, memory):
             depth = inherit(x, table, memory, row)
             if depth > 0.0:
                 begin_contact(x, table, memory, row, max(own, 0.0) + depth)
-
-
-@kernel
-def fade(memory, dt):
-    """Let contacts come back to the depth that their points say, in a time of FADES."""
-    share = math.exp(-dt / FADES)
-    for row in range(memory.tally[CONTACTS]):
-        memory.grip[row, MORE] *= share
-        memory.grip[row, EXTRA] = 0.0
 
 
 @kernel
@@ -340,6 +332,7 @@ def remember_pairs(x, v, dt, table, memory, tied):
     if count[SEEN] == 0:
         look_for_passes(place, x, memory, table)
     count[SEEN], count[ROUNDS], count[REFUSED] = 0, 0, 0
+    sweep(place, x, table, memory)
     for k in range(3):
         for i in range(x.shape[1]):
             memory.way[k, i] = x[k, i] - place[k, i]
@@ -349,7 +342,7 @@ def remember_pairs(x, v, dt, table, memory, tied):
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)
-    fade(memory, dt)
+    lead_offsets(x, dt, table, memory)
     for k in range(3):
         for i in range(x.shape[1]):
             place[k, i] = x[k, i]

@@ -95,6 +95,8 @@ def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
     number, grip, first = network.number, memory.grip, memory.tally[ASKED]
     for row in range(memory.tally[CONTACTS]):
         block = tangent_of(table, memory, row, x, v, weight_x, weight_v)
+        if block == ZERO9:  # it does not press
+            continue
         i, j = memory.pair[row, 0], memory.pair[row, 1]
         at = 0
         for a in range(4):

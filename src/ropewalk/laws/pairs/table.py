@@ -22,8 +22,25 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # between the points [m] at the end of the last step, R_n then [N], the spring's stiffness [N/m], whether
 # the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
-# this step [m], and the drag of what closes [N s/m], see `brake`.
-NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA, BRAKE = (
+# this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
+# and MORE in the step that has led here [m].
+(
+    NORMAL,
+    OWN,
+    OTHER,
+    SPRING,
+    APART,
+    PUSH,
+    STIFF,
+    GONE,
+    MORE,
+    FOUND,
+    LEVER,
+    EXTRA,
+    BRAKE,
+    LEFT,
+    WAS,
+) = (
     0,
     3,
     4,
@@ -37,12 +54,15 @@ NORMAL, OWN, OTHER, SPRING, APART, PUSH, STIFF, GONE, MORE, FOUND, LEVER, EXTRA,
     16,
     22,
     23,
+    24,
+    25,
 )
 NEW = -1.0  # in BRAKE: not known yet
-WIDTH = 24
+WIDTH = 26
 # Places in `Memory.tally`.
-CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED = range(9)
+CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED, SETTLES = range(10)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
+LIFTED = 3  # in `Memory.books`: what contacts have stored as their offsets grew [J]
 # Columns of `Pairs.inside`: a segment near a node that slides, the slide, first and last segment of its line,
 # so many segments of that on each side of the node that this one lies in, the node, and the line's node from
 # which places count.
@@ -54,6 +74,8 @@ class Pairs(NamedTuple):
 
     friction: Floats  # (r, r) coefficients of friction of ropes on each other [1]
     skin: Floats  # (1,) how far lists of pairs look ahead [m]
+    total: Floats  # (r,) mass of every rope with its loads [kg]
+    lead: Ints  # (r,) the first rope of all that are bound to each other, but by contacts
     radius: Floats  # (s,) [m]
     lever: Floats  # (s,) largest lever: radius over length at rest, for the most lean [1]
     soft: Floats  # (s,) compliance of a contact that is pressed little [m/N]
@@ -75,7 +97,7 @@ class Memory(NamedTuple):
     pair: Ints  # (m, 2) segments
     grip: Floats  # (m, WIDTH), see NORMAL
     near: Ints  # (c, 2) pairs that may touch soon
-    tally: Ints  # (9,), see CONTACTS
+    tally: Ints  # (10,), see CONTACTS
     place: Floats  # (3, n) [m]
     origin: Floats  # (3, n) where the nodes were when `near` was found [m]
     box: Floats  # (s, 6) working space of the search
@@ -83,8 +105,11 @@ class Memory(NamedTuple):
     tree: Floats  # (t, 6) boxes of many segments, see `boxes`
     rope: Ints  # (s,) as in `Pairs`, -1 as well where one has parted
     way: Floats  # (3, n) in the last step [m]
-    books: Floats  # (3,) works so far: what pressed, what rubbed, the method's share [J]
+    books: (
+        Floats  # (4,) works so far: what pressed, what rubbed, the method's share, and LIFTED [J]
+    )
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
+    swept: Floats  # (k, 8) where segments have been, see `swept`
 
 
 @small

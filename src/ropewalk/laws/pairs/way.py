@@ -37,6 +37,7 @@ from ropewalk.laws.pairs.table import (
     SECOND,
     SEEN,
     STIFF,
+    WAS,
     WRONG,
     apart,
     between,
@@ -70,6 +71,7 @@ def begin_contact(x, table, memory, row, before):
     grip[row, MORE] = 0.0
     more = max(before, 0.0) - max(depth_of(grip, row, u, size), 0.0)
     grip[row, MORE] = min(max(more, -WRONG * size), WRONG * size)
+    grip[row, WAS] = grip[row, MORE]
 
 
 @kernel

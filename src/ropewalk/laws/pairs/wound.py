@@ -13,6 +13,7 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.force import depth_at
 from ropewalk.laws.pairs.pair_memory import drop_gone, look_for_passes
 from ropewalk.laws.pairs.search import are_neighbours, find_near, note_ropes
+from ropewalk.laws.pairs.swept import sweep
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     FAULT,
@@ -148,6 +149,7 @@ def wind_pairs(table, state, winches):
     if not changed:
         return
     note_ropes(table, memory, state.stiffness)
+    sweep(memory.place, x, table, memory)
     sort_rows(memory)
     if not find_near(memory.place, x, table, memory, state.tied):
         memory.tally[FAULT] = FULL

@@ -1,0 +1,113 @@
+"""What ropes touch in a recorded run, frame by frame."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.laws.contact_books import ENTRIES
+from ropewalk.live.touch import NOTHING, Room, Touch, Wraps, room_of, touch_of, wound_on
+from ropewalk.lowering import Model
+from ropewalk.record.books import told
+from ropewalk.record.contacts import lying, model_of, touching
+from ropewalk.record.quantities import (
+    CONTACT_WORK,
+    OBSTACLE_FORCE,
+    PULLEYS,
+    ROPE_CONTACTS,
+    has_rope,
+    rest_length_at_start,
+)
+from ropewalk.record.result import Result
+
+FORCE = "contact_force"
+NAMES = (FORCE, OBSTACLE_FORCE, ROPE_CONTACTS, CONTACT_WORK, PULLEYS, "rest_length")
+# Wraps are found anew after so long [s of the run], of long ropes after so long for each node: that takes
+# longer than all else of a frame.
+_EVERY, _PER_NODE = 0.1, 1e-3
+_RUB = ENTRIES.index("friction")
+
+
+class RecordedTouch:
+    """Reads it for one reader of a run, from the pieces of frames that this has read."""
+
+    def __init__(self, result: Result, piece: int) -> None:
+        self.result = result
+        #: What friction of each surface has done before this part [J].
+        self.before = dict.fromkeys(result.layout.surfaces, 0.0)
+        least = max(_EVERY, _PER_NODE * result.layout.nodes)
+        self.every = min(max(1, math.floor(least / result.plan.frame_interval + 1e-9)), piece)
+        self._lengths = [rope.segment_length for rope in result.scene.ropes]
+        self._model: Model | None = None
+        self._held: tuple[int, Wraps] = -1, Wraps()
+
+    @property
+    def room(self) -> Room:
+        """What its frames hold: in runs from before they were kept apart one force of all that is touched."""
+        scene, names = self.result.scene, self.result.source.names
+        if FORCE not in names:
+            return Room()
+        apart = OBSTACLE_FORCE in names if scene.obstacles else ROPE_CONTACTS in names
+        room = room_of(scene, self.result.layout, pairs=apart)
+        return room._replace(forces=room.forces or not apart)
+
+    @property
+    def none(self) -> Touch:
+        """What a frame holds where nothing of it is known."""
+        room, nodes = self.room, self.result.layout.nodes
+        unknown = np.full(room.surfaces, np.nan)
+        return touch_of(room, np.zeros((nodes, 3)), None, None, 0.0, unknown)
+
+    def of(self, data: dict[str, Floats], row: int, frame: int) -> Touch:
+        """Return what is touched at a frame, that row of the piece read."""
+        if FORCE not in data:
+            return NOTHING
+        room = self.room
+        force = data.get(OBSTACLE_FORCE, data[FORCE])[row]
+        pairs = data[ROPE_CONTACTS][row] if ROPE_CONTACTS in data else None
+        wraps = self._wraps(data, row - row % self.every, frame - row % self.every)
+        rubbed = self._rubbed(data[CONTACT_WORK][row] if CONTACT_WORK in data else None)
+        time = float(data["time"][row])
+        return touch_of(room, force, pairs, wraps, time, rubbed)
+
+    def _wraps(self, data: dict[str, Floats], row: int, frame: int) -> Wraps:
+        """Return the wraps at a frame, kept until another one's are asked for."""
+        if self._held[0] != frame:
+            self._held = frame, self._find(data, row)
+        return self._held[1]
+
+    def _find(self, data: dict[str, Floats], row: int) -> Wraps:
+        scene, layout = self.result.scene, self.result.layout
+        force, t = data.get(OBSTACLE_FORCE, data[FORCE])[row], float(data["time"][row])
+        only, rest = wound_on(scene), data.get("rest_length")
+        if not only or not force.any():
+            return Wraps((), t)
+        self._model = self._model or model_of(self.result)
+        now = rest_length_at_start(layout, self._lengths) if rest is None else rest[row]
+        there = has_rope(layout, now[None], self._lengths)[0]
+        places = (data["positions"][row], data["velocities"][row], force)
+        x, v, push = (np.ascontiguousarray(part.T) for part in places)
+        wheels = data[PULLEYS][row] if PULLEYS in data else None
+        table = self._model.system.node.obstacle
+        contacts = touching(table, x, v, push, there, wheels, t, only)
+        return Wraps(tuple(lying(scene, layout, contacts, data["tension"][row], only)), t)
+
+    def _rubbed(self, books: Floats | None) -> Floats:
+        before = np.array([self.before[name] for name in self.result.layout.surfaces])
+        if books is None:
+            return np.full(before.shape, np.nan)
+        return before + told(self.result, CONTACT_WORK, books[None])[0, :, _RUB]
+
+    def rubbed_until(self, frame: int) -> dict[str, float]:
+        """Return what friction of each surface has done on the ropes until a frame [J]; NaN where unknown."""
+        there = CONTACT_WORK in self.result.source.names
+        books = self.result.read(CONTACT_WORK, frame, frame + 1)[0] if there else None
+        work = self._rubbed(books).tolist()
+        return dict(zip(self.result.layout.surfaces, work, strict=True))
+
+    def follow(self, before: RecordedTouch, frame: int) -> None:
+        """Count friction's work on from a frame of a part that this one goes on from."""
+        done = before.rubbed_until(frame)
+        self.before |= {name: work for name, work in done.items() if name in self.before}

@@ -1,0 +1,50 @@
+"""With which length of its parts a step begins: where many ropes touch, with that of the last one.
+
+In a pile the whole step, its half and its quarter fail again and again, each after all its iterations. So
+there the parts of one step go on in the next as if both were one: `need` of them are solved for before one of
+twice their length is tried, at the beginning of a step, too. A whole step that is solved ends that.
+"""
+
+from __future__ import annotations
+
+from ropewalk.core.jit import kernel, part
+from ropewalk.laws.couplings import couples
+from ropewalk.laws.pairs.table import CONTACTS
+from ropewalk.laws.rare import has_bending
+
+MOST_HALVINGS = 12
+SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
+FEWEST_PARTS, MOST_PARTS = 2, 16  # that are solved before one of twice their length is tried
+MANY = 64  # contacts from which on parts go on in the next step
+LENGTH, SOLVED, NEED = 3, 4, 5  # places in `State.past`
+
+
+@part
+def carries_parts(system, state):
+    """Tell whether the parts of the last step go on in the next."""
+    if not couples(system) or has_bending(system):  # rods are lost in short parts
+        return False
+    tally = state.memory.contact.tally
+    return tally.shape[0] > 0 and tally[CONTACTS] >= MANY
+
+
+@kernel
+def begin_parts(past, dt, carried):
+    """Return with which of 2^level parts of `dt` [s] a step begins.
+
+    That level, how many were solved of this length, how many are to be, and whether it is tried anew.
+    """
+    if not carried or past[LENGTH] == 0.0:
+        return 0, 0, FEWEST_PARTS, False
+    level, h = 0, dt
+    while h > 1.5 * past[LENGTH] and level < MOST_HALVINGS:  # but for rounding
+        level, h = level + 1, 0.5 * h
+    return level, int(past[SOLVED]), int(past[NEED]), past[SOLVED] == 0.0
+
+
+@kernel
+def keep_parts(past, dt, carried, level, run, need):
+    """Note with which parts the next step begins; `run` of 2^level were solved, `need` are to be."""
+    grown = run >= need
+    past[LENGTH] = dt / 2.0 ** (level - 1 if grown else level) if carried and level > 0 else 0.0
+    past[SOLVED], past[NEED] = 0.0 if grown else run, need
