@@ -40,7 +40,7 @@ def test_a_grab_shows_its_force_in_newtons(window: Window, server: ViewServer) -
     window.press(" ")
     window.page.keyboard.down("Shift")
     # Shift on empty space would shift the view, on the rope it keeps the spring
-    window.drag(window.screen(20), (0.0, -80.0))
+    window.take(20, (0.0, -80.0))
     window.until(f"{GRABS}[0] === 20")
     window.page.mouse.up()
     window.page.keyboard.up("Shift")
@@ -379,7 +379,7 @@ def test_a_pull_is_limited_and_says_so(window: Window, server: ViewServer) -> No
     window.page.locator("#pull-limit").fill("5")
     window.page.locator("#pull-limit").press("Enter")
     window.press(" ")
-    window.drag(window.screen(20), (0.0, -150.0))
+    window.take(20, (0.0, -150.0))
     window.until("document.querySelector('.labels .grab')?.innerText === '5 N (no more)'")
     window.until(f"Math.abs(Math.hypot(...{GRABS}.slice(4, 7)) - 5) < 1e-5")
     window.page.mouse.up()

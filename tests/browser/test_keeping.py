@@ -30,7 +30,7 @@ Serve = Callable[..., ViewServer]
 def _lively(window: Window) -> None:
     """Do a bit of everything, and pause."""
     window.press(" ")
-    window.drag(window.screen(20), (0.0, -60.0))
+    window.take(20, (0.0, -60.0))
     window.until("r.time > 0.4")
     window.page.mouse.up()
     window.tell(type="set", name="mass", value=3.0)

@@ -33,7 +33,7 @@ def server(serve: Serve) -> ViewServer:
 def test_two_pages_see_and_drive_one_rope(server: ViewServer, open_window: Open) -> None:
     first, second = (open_window(server.address).ready() for _ in range(2))
     before = second.node(40)
-    first.drag(first.screen(40), (-60.0, -60.0))
+    first.take(40, (-60.0, -60.0))
     second.until(f"{ANCHOR}[2] > {before[2]} + 0.3")
     first.page.mouse.up()
     second.tell(type="pin", node=20)

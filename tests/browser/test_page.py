@@ -94,8 +94,7 @@ def test_dragged_anchor_takes_the_rope_along(open_window: Open, serve: Serve) ->
     window = open_window(serve(_two_anchors(), playing=True).address).ready()
     anchor = window.ask("r.session.layout.variants[0].anchors[0].index")
     before = [window.node(anchor), window.node(10)]
-    start = window.screen(anchor)
-    window.drag(start, (60.0, 90.0))
+    start = window.take(anchor, (60.0, 90.0))
     target = window.ask(
         f"r.viewport.camera.inPlane({start[0] + 60}, {start[1] + 90}, [0, 0, 0]) && 1"
     )
@@ -116,8 +115,7 @@ def test_dragged_anchor_takes_the_rope_along(open_window: Open, serve: Serve) ->
 def test_node_is_grabbed_by_a_soft_spring(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(_two_anchors(), playing=True).address).ready()
     before = window.node(20)
-    start = window.screen(20)
-    window.drag(start, (0.0, -60.0))
+    window.take(20, (0.0, -60.0))
     window.until("r.session.frame.parts[0].grabs[0] >= 0")
     window.until("Math.hypot(...r.session.frame.parts[0].grabs.slice(4, 7)) > 0")
     window.until(f"r.nodeAt(20)[2] > {before[2]} + 0.1 || r.nodeAt(19)[2] > {before[2]} + 0.1")

@@ -66,12 +66,7 @@ def test_ten_thousand_nodes_are_led_in_wall_time(open_window: Open, serve: Serve
     server = serve(Session(_many()), playing=True, folder=None)
     window = open_window(server.address).ready()
     window.until("r.time > 0.05 && r.session.status.slow")
-    for _ in range(20):  # the camera may go on before the button is down
-        x, y = window.screen(0)
-        window.drag((x, y), (-20.0, -10.0))
-        if window.ask("r.viewport.marks.held.size"):
-            break
-        window.page.mouse.up()
+    x, y = window.take(0, (-20.0, -10.0))
     paces = []
     for k in range(30):
         window.page.mouse.move(x - 20.0 - k, y - 10.0)
@@ -89,7 +84,7 @@ def test_an_anchor_that_cannot_keep_up_says_why(open_window: Open, serve: Serve)
     said = "[...document.querySelectorAll('.labels span.grab')].filter((e) => !e.hidden)"
     said += ".map((e) => e.innerText)"
     assert window.tell(type="speed", value=0.01)
-    window.drag(window.screen(0), (60.0, -90.0))
+    window.take(0, (60.0, -90.0))
     window.until(f"{said}.includes('30 m/s (no faster)')")
     main = server.broadcast.session.main
     velocity = np.linalg.norm(main.simulation.anchors[next(iter(main.hands.targets))].velocity)

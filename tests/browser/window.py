@@ -86,6 +86,18 @@ class Window:
         for part in (0.3, 0.6, 1.0):
             mouse.move(start[0] + part * by[0], start[1] + part * by[1])
 
+    def take(self, node: int, by: tuple[float, float]) -> tuple[float, float]:
+        """Drag a node that may move, and return where it was taken hold of: while the scene plays the
+        rope or the camera may go on before the button is down, and who missed presses again."""
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            start = self.screen(node)
+            self.drag(start, by)
+            if self.ask("r.viewport.marks.held.size") > 0:
+                return start
+            self.page.mouse.up()
+        raise AssertionError(f"no hand on node {node}\n{self.situation()}")
+
     def settled(self) -> None:
         """Wait until what is drawn is the newest frame, unmoving."""
         still = self.page.evaluate(
