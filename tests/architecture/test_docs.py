@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import inspect
 import re
 import shlex
@@ -210,6 +211,31 @@ def test_every_command_is_documented() -> None:
     assert isinstance(main, click.Group)
     for name in main.commands:
         assert f"ropewalk {name}" in text
+
+
+def notes_of_tables() -> set[str]:
+    """Return the rows `about ...` that tables of results may have."""
+    folder, rows = ROOT / "src/ropewalk/record", set[str]()
+    titles, noted = dict[str, str](), set[str]()
+    for path in folder.glob("*.py"):
+        rows |= set(re.findall(r'"(about (?:the|these|hard) [a-z ]+)"', path.read_text("utf-8")))
+    for node in ast.walk(ast.parse((folder / "summary.py").read_text("utf-8"))):
+        if isinstance(node, ast.Dict):
+            keys = [key.value for key in node.keys if isinstance(key, ast.Constant)]
+            if "greatest speed" in keys:  # what each extreme is called
+                found = zip(keys, (ast.unparse(value) for value in node.values), strict=True)
+                titles |= {key: text.strip("f'").partition(" [")[0] for key, text in found}
+            elif "greatest stretch" in keys:  # those of which there is something to be said
+                noted |= set(keys)
+    named = {titles[key].replace("{result.tension_name}", "tension") for key in noted}
+    return rows | {f"about the {name}" for name in named}
+
+
+def test_what_tables_say_of_their_numbers_is_explained() -> None:
+    rows = notes_of_tables()
+    assert {"about the energy", "about hard stops", "about the largest clamp moment"} <= rows
+    page = (ROOT / "docs/concepts/energy.md").read_text("utf-8")
+    assert rows == set(re.findall(r"^\| `(about [a-z ]+)` \|", page, re.MULTILINE))
 
 
 def test_a_wrong_command_is_seen() -> None:
