@@ -50,6 +50,13 @@ spin = { free = true, inertia = 1e-4, rate = 20.0 }
     assert np.allclose(
         axle_loads(result, range(result.frames))[:, 0], loads_, rtol=1e-12, atol=1e-12
     )
+    floor = table[table["obstacle"] == "floor"].groupby("time [s]")[parts].sum()
+    pressed = np.linalg.norm(floor, axis=1)
+    told = result.table
+    assert told["largest force on an obstacle [N]"] == pytest.approx(pressed.max(), rel=1e-9)
+    when = f"obstacle 'floor', t = {floor.index[pressed.argmax()]:.6g} s, of the recorded frames"
+    assert told["largest force on an obstacle at"].startswith(when)
+    assert told["largest load on the axle of a pulley [N]"] == pytest.approx(loads_.max())
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The two balances of a run, and what is said where automatic steps have not kept one.
+"""The two balances of a run, and what is said where its steps have not kept one.
 
 Every law's work is booked at the velocity of mid-step, v + h a / 2, for which the change of the kinetic
 energy is the sum of all works, whatever the method: what is left of that balance is round-off. The sum
@@ -94,10 +94,10 @@ def lost_note(result: Result) -> str:
 
 
 def energy_note(result: Result, error: Floats, share: float) -> str:
-    """Say by how much the energy of an automatic run is wrong, where it is by too much; else "".
+    """Say by how much the energy of a run is wrong, where it is by too much; else "".
 
     Args:
-        result: the run; its step or its method was left to Ropewalk, or there is no note.
+        result: the run, whoever chose its step and its method.
         error: of the energy at the frames to look at [J], (frames,).
         share: the largest error, of the energy turned over [%].
 
@@ -109,28 +109,28 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     error = error[np.isfinite(error)]
     if result.facts.provenance.get("live"):
         return _OF_HANDS if share > TURNED else ""
-    automatic = "auto" in (scene.run.method, scene.run.time_step)
-    if not automatic or plan.method not in METHODS or not error.size:
+    if plan.method not in METHODS or not error.size:
         return ""
     worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
     if not METHODS[plan.method].implicit and not is_damped(scene):
         return _made_up(plan, worst, scale) if abs(worst) > MOST * scale > 0.0 else ""
     if not share > TURNED or abs(worst) <= _NOTHING * scale:
         return ""
-    steps, remedy = (
-        f"steps of {1e3 * plan.dt:.3g} ms",
-        f"time_step = {0.25 * plan.dt:.3g} s or less, or method = adaptive",
-    )
+    steps = f"steps of {1e3 * plan.dt:.3g} ms"
     if plan.tolerance is not None:
-        steps, remedy = (
-            f"tolerance of {plan.tolerance:.3g} m",
-            f"tolerance = {0.1 * plan.tolerance:.3g}",
-        )
+        steps = f"tolerance of {plan.tolerance:.3g} m"
     return (
         f"{abs(worst):.3g} J, {percent(share, 3)} of the energy turned over, are in no law's work: some of "
-        f"the motion is too fast for {plan.method}'s {steps}. Do not trust works, nor "
-        f"places after it; take {remedy}"
+        f"the motion is too fast for {plan.method}'s {steps}. Do not trust works, nor forces and "
+        f"places after it; take {shorter_steps(plan)}"
     )
+
+
+def shorter_steps(plan: Plan) -> str:
+    """Return what makes the errors of a run's steps smaller, in the words of a scene."""
+    if plan.tolerance is not None:
+        return f"tolerance = {0.1 * plan.tolerance:.3g}"
+    return f"time_step = {0.25 * plan.dt:.3g} s or less, or method = adaptive"
 
 
 def _made_up(plan: Plan, worst: float, scale: float) -> str:

@@ -1,4 +1,4 @@
-"""Rows about pulleys that turn freely and about what slides along ropes, of a run's table and of their own.
+"""Rows about pulleys, obstacles and what slides along ropes, of a run's table and of their own.
 
 Of the recorded frames: between two of them there may be more, and the rows of the run's table say so.
 """
@@ -45,8 +45,8 @@ class SlideMotion(NamedTuple):
 
 
 def moving_rows(result: Result) -> dict[str, Any]:
-    """Return the rows of pulleys and of slides; nothing where there are none."""
-    return _of_pulleys(result) | _of_slides(result)
+    """Return the rows of pulleys, other obstacles and slides; nothing where there are none."""
+    return _rates(result) | _of_bodies(result) | _of_slides(result)
 
 
 def slide_motion(result: Result, name: str) -> SlideMotion:
@@ -96,14 +96,19 @@ def ran_off_at(result: Result, name: str) -> float:
 
 
 def axle_loads(result: Result, frames: range) -> Floats:
-    """Return the force of the ropes on each pulley, (frames, pulleys) [N]; without its own weight.
+    """Return the force of the ropes on each pulley, (frames, pulleys) [N]: see `body_loads`."""
+    return body_loads(result, frames, result.layout.pulleys)
 
-    Friction that cannot be told, where a rope touches another on the pulley, is left out.
+
+def body_loads(result: Result, frames: range, names: Sequence[str]) -> Floats:
+    """Return the force of the ropes on each obstacle named, (frames, names) [N]; without its own weight.
+
+    Friction that cannot be told, where a rope touches another on it, is left out.
     """
     from ropewalk.record.contacts import each_frame
 
     bodies = [body.name for body in result.scene.obstacles]
-    where = [bodies.index(name) for name in result.layout.pulleys]
+    where = [bodies.index(name) for name in names]
     if len(bodies) == 1 and result.scene.contact is None:  # then all contact forces are its own
         force = result.read("contact_force", frames.start, frames.stop).sum(axis=1)
         return np.asarray(np.linalg.norm(force, axis=1)[:, None])
@@ -115,21 +120,39 @@ def axle_loads(result: Result, frames: range) -> Floats:
     return np.asarray(np.linalg.norm(found, axis=2))
 
 
-def _of_pulleys(result: Result) -> dict[str, Any]:
-    """Return the largest rate and the largest load on an axle."""
+def _of_bodies(result: Result) -> dict[str, Any]:
+    """Return the largest load on the axle of a pulley, and force on what does not turn freely."""
+    rows = dict[str, Any]()
+    if "contact_force" not in result.source.names:
+        return rows
+    pulleys = result.layout.pulleys
+    others = [one.name for one in result.scene.obstacles if one.name not in pulleys]
+    for title, names, noun, added in (
+        ("load on the axle of a pulley", pulleys, "pulley", "; its own weight is not in it"),
+        ("force on an obstacle", others, "obstacle", "; of all that the ropes press and rub"),
+    ):
+        best, shown = dict[str, tuple[float, str]](), [f"{noun} {name!r}" for name in names]
+        for start, stop in _pieces(result, result.good_frames) if names else ():
+            values = body_loads(result, range(start, stop), names)
+            _keep(best, title, values, shown, result.time[start:stop])
+        if best.get(title, (0.0, ""))[0] > 0.0 or (names and noun == "pulley"):
+            rows |= {f"largest {title} [N]": best[title][0]}
+            rows |= {f"largest {title} at": best[title][1] + added}
+    return rows
+
+
+def _rates(result: Result) -> dict[str, Any]:
+    """Return the largest rate of a pulley."""
     names = result.layout.pulleys
-    if not names or "contact_force" not in result.source.names:
+    if not names or PULLEYS not in result.source.names:
         return {}
     best, shown = dict[str, tuple[float, str]](), [f"pulley {name!r}" for name in names]
     for start, stop in _pieces(result, result.good_frames):
         rates = np.abs(result.read(PULLEYS, start, stop)[..., _RATE])
-        for title, values in (("rate", rates), ("load", axle_loads(result, range(start, stop)))):
-            _keep(best, title, values, shown, result.time[start:stop])
+        _keep(best, "rate", rates, shown, result.time[start:stop])
     return {
         "largest rate of a pulley [rad/s]": best["rate"][0],
         "largest rate of a pulley at": best["rate"][1],
-        "largest load on the axle of a pulley [N]": best["load"][0],
-        "largest load on the axle of a pulley at": f"{best['load'][1]}; its own weight is not in it",
     }
 
 

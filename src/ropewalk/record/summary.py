@@ -19,6 +19,7 @@ from ropewalk.record.margins import margin_rows
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
+from ropewalk.record.peak_energy import peak_energy_note
 from ropewalk.record.reach_note import reach_note
 from ropewalk.record.tension_notes import (
     anchor_bears,
@@ -174,7 +175,9 @@ def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     force = found["greatest anchor force"]
     hard = hard_note(result, found)
     notes = {
-        "greatest tension": tension_note(result, most) or anchor_bears(result, most),
+        "greatest tension": tension_note(result, most)
+        or peak_energy_note(result, most)
+        or anchor_bears(result, most),
         "least tension": push_note(result, least, most.value),
         "greatest stretch": curve_note(result, found["greatest stretch"]),
         "greatest anchor force": "" if hard else anchor_note(result, force, most),

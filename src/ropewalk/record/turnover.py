@@ -89,7 +89,7 @@ def steady_note(result: Result, worst: float, share: float) -> str:
     """Say what the largest error [J] is a share of [%] where hardly any energy of motion changes; else ""."""
     if not share > _TOLD:
         return ""
-    moving, turned = _own_kinetic(result), 100.0 * worst / share
+    moving, turned = own_kinetic(result), 100.0 * worst / share
     whole = float(moving[np.isfinite(moving)].max(initial=0.0))
     if not turned < _LITTLE * whole:
         return ""
@@ -99,7 +99,7 @@ def steady_note(result: Result, worst: float, share: float) -> str:
     )
 
 
-def _own_kinetic(result: Result) -> Floats:
+def own_kinetic(result: Result) -> Floats:
     """Return the kinetic energy before a break as who goes along sees it [J], (frames,)."""
     good = result.good_frames
     kinetic: Floats = result.energy["kinetic"][:good]
