@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -250,17 +251,15 @@ def test_what_a_dead_process_left_is_in_nobodys_way(tmp_path: Path) -> None:
 def test_a_reader_is_in_no_writers_way(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """One who asks whether a folder is written holds its lock for a moment. The twin: who keeps it is."""
     import fcntl
-    import threading
 
     record_run(OTHER, tmp_path / "run")
     for goes in (False, True):
         handle = os.open(tmp_path / "run" / ".lock", os.O_RDONLY)
         fcntl.flock(handle, fcntl.LOCK_SH)
-        timer = threading.Timer(0.05, lambda held=handle: os.close(held))
         if goes:
-            in_between(monkeypatch, "_put_in_place", timer.start)  # the lock is asked for next
-            record_run(SCENE, tmp_path / "run", overwrite=True)
-            timer.join()
+            with monkeypatch.context() as patch:  # it goes as soon as the writer waits
+                patch.setattr(time, "sleep", lambda _, held=handle: os.close(held))
+                record_run(SCENE, tmp_path / "run", overwrite=True)
         else:
             with pytest.raises(RunError, match="is being written by another process"):
                 record_run(SCENE, tmp_path / "run", overwrite=True)
@@ -290,7 +289,11 @@ def test_processes_that_begin_at_once(tmp_path: Path) -> None:
     for child in children:
         assert child.stdout is not None
         assert child.stdout.readline() == "ready\n"
-    said = [child.communicate("x")[1] for child in children]
+    for child in children:
+        assert child.stdin is not None
+        child.stdin.write("x")
+        child.stdin.flush()
+    said = [child.communicate()[1] for child in children]
     assert sorted(child.returncode for child in children) == [0, 1, 1], said
     (winner,) = [i for i, child in enumerate(children) if child.returncode == 0]
     only(tmp_path / "run", winner + 4)

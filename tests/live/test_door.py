@@ -60,6 +60,6 @@ def test_what_cannot_be_set_up_ends_the_server() -> None:
     with pytest.raises(SceneError, match="nodes"):
         prepare(slack_rope(1_000_000), port=0, listening=heard.append)
     (server,) = heard
-    assert not server.wait(5.0)
+    assert not server.wait(PATIENCE)
     with pytest.raises(urllib.error.URLError, match="refused"):
         urllib.request.urlopen(server.address, timeout=5)

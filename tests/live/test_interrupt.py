@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import signal
+import sys
 import threading
 import time
+from types import FrameType
 from typing import Any
 
 import pytest
@@ -13,6 +15,13 @@ from patience import PATIENCE
 from ropewalk.live.serve import ViewServer
 
 BUSY = 0.5  # [s] that the server has no time to look whether it should end
+
+
+def waits(frame: FrameType | None) -> bool:
+    """Whether what runs in a frame was called by `ViewServer.wait`."""
+    while frame is not None and frame.f_code is not ViewServer.wait.__code__:
+        frame = frame.f_back
+    return frame is not None
 
 
 @pytest.mark.skipif(not hasattr(signal, "pthread_kill"), reason="a signal to one thread")
@@ -25,7 +34,14 @@ def test_a_server_whose_wait_was_interrupted_ends_before_its_socket_is_closed(
     server.start()
     before = signal.signal(signal.SIGINT, signal.default_int_handler)  # it may be ignored
     here = threading.main_thread().ident
-    threading.Timer(0.2, signal.pthread_kill, [here, signal.SIGINT]).start()
+    assert here is not None
+
+    def interrupt() -> None:
+        while not waits(sys._current_frames()[here]):
+            time.sleep(0.01)
+        signal.pthread_kill(here, signal.SIGINT)
+
+    threading.Thread(target=interrupt, daemon=True).start()
     try:
         with pytest.raises(KeyboardInterrupt):
             server.wait(PATIENCE)

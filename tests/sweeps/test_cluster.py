@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -9,6 +10,7 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -62,13 +64,12 @@ class Cluster:
             "scheduler", "--host", "127.0.0.1", "--port", "0", "--no-dashboard",
             "--scheduler-file", file, *more,
         )  # fmt: skip
-        while not file.exists():
+        self.address = ""
+        while not self.address:
             assert self.scheduler.poll() is None
             time.sleep(0.05)
-        import json
-
-        time.sleep(0.1)
-        self.address: str = json.loads(file.read_text())["address"]
+            with suppress(FileNotFoundError, json.JSONDecodeError):  # not there yet, or half of it
+                self.address = json.loads(file.read_text())["address"]
         self.workers = [
             self._start(
                 "worker", self.address, "--nthreads", "1", "--no-nanny", "--no-dashboard",
