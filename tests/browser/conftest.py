@@ -50,9 +50,20 @@ def browser() -> Iterator[Any]:
         made.close()
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--slow-page",
+        type=float,
+        default=1.0,
+        metavar="TIMES",
+        help="slow the pages' scripts so many times, to find tests that need a fast machine",
+    )
+
+
 @pytest.fixture
-def open_window(browser: Any) -> Iterator[Callable[..., Window]]:
+def open_window(browser: Any, request: pytest.FixtureRequest) -> Iterator[Callable[..., Window]]:
     """Open addresses, each in a window of its own; fails when a page reported an error."""
+    times = request.config.getoption("--slow-page", 1.0)
     with ExitStack() as stack:
         opened: list[Window] = []
 
@@ -60,7 +71,10 @@ def open_window(browser: Any) -> Iterator[Callable[..., Window]]:
             settings = {"viewport": {"width": 900, "height": 640}, "color_scheme": "light"}
             context = browser.new_context(**(settings | options))
             stack.callback(context.close)
-            window = Window(context.new_page())
+            page = context.new_page()
+            slowed = context.new_cdp_session(page)
+            slowed.send("Emulation.setCPUThrottlingRate", {"rate": times})
+            window = Window(page)
             opened.append(window)
             window.page.goto(address)
             return window

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import pytest
 
 from browser.window import Window
+from patience import PATIENCE
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -22,8 +24,7 @@ def test_graphs_open_choose_and_scroll_back(window: Window) -> None:
     kinds = {"energies", "tension", "motion"}
     assert set(_graphs(window)) == kinds
     for kind in ("energies", "tension", "motion"):
-        while _inked(window, kind) <= 100:  # a slow computer draws late
-            assert window.ask("r.time") < 200.0
+        _wait_for_ink(window, kind, 100)
     window.click(".chip[data-graph=tension]")
     assert set(_graphs(window)) == kinds - {"tension"}
     window.page.locator("#graph-quantity").select_option("speed")
@@ -71,6 +72,14 @@ def _inked(window: Window, kind: str) -> int:
     return found
 
 
+def _wait_for_ink(window: Window, kind: str, least: int) -> None:
+    """Wait until a graph has more coloured pixels than so many: a slow computer draws late."""
+    end = time.monotonic() + PATIENCE
+    while _inked(window, kind) <= least:
+        assert time.monotonic() < end, f"nothing is drawn: {kind}"
+        window.page.wait_for_timeout(25)
+
+
 def test_a_followed_node_has_a_trail_graphs_and_a_phase_plane(window: Window) -> None:
     window.settled()
     window.click("#tool-follow")
@@ -79,9 +88,9 @@ def test_a_followed_node_has_a_trail_graphs_and_a_phase_plane(window: Window) ->
     window.press(" ")
     window.until("r.time > 0.5")
     window.click(".chip[data-graph=phase]")
-    time = window.ask("r.time")
-    window.until(f"r.time > {time} + 0.5")
-    assert _inked(window, "phase") > 50
+    then = window.ask("r.time")
+    window.until(f"r.time > {then} + 0.5")
+    _wait_for_ink(window, "phase", 50)
     assert "node 10" in window.page.locator("[data-kind=tension]").inner_text()
     assert window.ask("r.viewport.marks.trails !== null")
     window.press(" ")
@@ -117,6 +126,7 @@ def test_lines_of_a_graph_may_have_scales_of_their_own(window: Window) -> None:
     window.until("r.time > 0.5")
     window.press(" ")
     window.until("r.state === 'paused'")
+    window.settled()
     scales = "Object.entries(r.app.graphs.panels.get('energies').plot.uplot.scales)"
     ends = f"{scales}.filter(([key, {{ min }}]) => key !== 'x' && min !== null)"
     ends += ".map(([, { min, max }]) => max - min)"

@@ -1,15 +1,17 @@
-"""Hands on the rope: grab, pin, cut, load, kick, menu, double-click, touch."""
+"""Hands on the rope: grab, pin, cut, load, kick, menu, double-click."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from itertools import cycle
 
 import numpy as np
 import pytest
 
 from browser.window import Window
 from live.drive import slack_rope
+from patience import PATIENCE
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.scene.presets import preset
@@ -53,7 +55,7 @@ def test_a_grab_shows_its_force_in_newtons(window: Window, server: ViewServer) -
     grab = server.broadcast.session.main.hands.grabs[0]
     assert (grab.node, force > 1e-3) == (20, True)  # it swings: small for moments
     shown = window.page.locator(".labels .grab:visible").inner_text()
-    number, unit = shown.split()
+    number, unit, *_ = shown.split()  # where the rope fell on while it was taken, "(no more)"
     assert float(number) * {"N": 1.0, "kN": 1e3, "mN": 1e-3}[unit] == pytest.approx(force, rel=0.01)
     _double_click(window)
     window.until(f"{GRABS}[0] < 0")
@@ -61,8 +63,12 @@ def test_a_grab_shows_its_force_in_newtons(window: Window, server: ViewServer) -
 
 
 def _double_click(window: Window) -> None:
-    window.page.mouse.click(*EMPTY)
-    window.page.mouse.click(*EMPTY)
+    """The events say when they were, however slow this machine is."""
+    mouse = window.page.context.new_cdp_session(window.page)
+    about = {"x": EMPTY[0], "y": EMPTY[1], "button": "left", "buttons": 1, "clickCount": 1}
+    for when in (time.time(), time.time() + 0.1):
+        for kind in ("mousePressed", "mouseReleased"):
+            mouse.send("Input.dispatchMouseEvent", about | {"type": kind, "timestamp": when})
 
 
 def test_a_node_is_pinned_and_let_go_again(window: Window) -> None:
@@ -172,85 +178,10 @@ def test_the_menu_of_a_node_does_what_it_says(window: Window, server: ViewServer
     assert window.page.locator(".popup").count() == 0
 
 
-def test_fingers_drag_an_anchor_open_the_menu_and_zoom(
-    server: ViewServer, open_window: Open
-) -> None:
-    window = open_window(server.address, has_touch=True, is_mobile=True).ready()
-    window.settled()
-    touch = _Fingers(window)
-    window.page.locator("#play").tap()
-    window.until("r.state === 'playing'")
-    place = window.ask(f"(({{x, y}}) => [x, y])(r.screenOf({VARIANT}.anchors[1].index))")
-    before = window.node(40)
-    touch.down([place])
-    for part in (0.3, 0.6, 1.0):
-        touch.move([(place[0] - 70 * part, place[1] - 50 * part)])
-    window.until(f"r.nodeAt(40)[2] > {before[2]} + 0.3 && r.nodeAt(40)[0] < {before[0]} - 0.3")
-    touch.up()
-    window.press(" ")
-    window.until("r.state === 'paused'")
-    window.settled()
-    touch.down([window.screen(20)])
-    window.page.get_by_role("menuitem", name="Pin it here").wait_for()
-    touch.up()
-    window.page.get_by_role("menuitem", name="Pin it here").tap()
-    window.until(f"{VARIANT}.anchors.length === 3")
-    far = window.ask("r.viewport.camera.pose.distance")
-    x, y = EMPTY
-    touch.down([(x - 40, y), (x + 40, y)])
-    touch.move([(x - 120, y), (x + 120, y)])
-    touch.up()
-    assert window.ask("r.viewport.camera.pose.distance") < 0.6 * far
-
-
-def test_two_fingers_hold_two_ropes_at_once(open_window: Open, serve: Serve) -> None:
-    """Each has its own spring, follows its own finger, and lets go alone; the view stays as it is."""
-    session = Session(preset("three-leg-sling"))
-    server = serve(session)
-    window = open_window(server.address, has_touch=True, is_mobile=True).ready()
-    window.settled()
-    pose = window.ask("JSON.stringify(r.viewport.camera.pose)")
-    first, second = (f"({VARIANT}.ropes[{rope}].first + 4)" for rope in (0, 2))
-    places = [window.screen(first), window.screen(second)]
-    touch = _Fingers(window)
-    touch.down(places[:1])
-    touch.down(places)
-    for part in (0.5, 1.0):
-        (ax, ay), (bx, by) = places
-        touch.move([(ax - 40 * part, ay), (bx + 40 * part, by + 20 * part)])
-    window.until(f"{GRABS}[0] >= 0 && {GRABS}[8] >= 0")
-    held = set(window.ask(f"[{GRABS}[0], {GRABS}[8]]"))  # of one frame: their order may change
-    assert held == {window.ask(first), window.ask(second)}
-    targets = np.array(window.ask(f"[[...{GRABS}.slice(1, 4)], [...{GRABS}.slice(9, 12)]]"))
-    assert np.linalg.norm(targets[1] - targets[0]) > 0.1
-    assert window.ask("JSON.stringify(r.viewport.camera.pose)") == pose
-    touch.up()
-    window.until(f"{GRABS}[0] < 0 && {GRABS}[8] < 0")
-
-
-class _Fingers:
-    """Touches by the browser's own protocol."""
-
-    def __init__(self, window: Window) -> None:
-        self.session = window.page.context.new_cdp_session(window.page)
-
-    def _send(self, kind: str, places: list[tuple[float, float]]) -> None:
-        points = [{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(places)]
-        self.session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
-
-    def down(self, places: list[tuple[float, float]]) -> None:
-        self._send("touchStart", places)
-
-    def move(self, places: list[tuple[float, float]]) -> None:
-        self._send("touchMove", places)
-
-    def up(self) -> None:
-        self._send("touchEnd", [])
-
-
 def test_the_ring_goes_with_a_rope_that_falls(open_window: Open, serve: Serve) -> None:
     window = open_window(serve(playing=True).address).ready()
     window.until("r.time > 0.3")
+    window.tell(type="speed", value=0.02)  # it falls on, slowly enough to be pointed at
     away = """(() => {
         const { marks, nodes, starts } = r.viewport;
         if (marks.hover === null) return null;
@@ -258,14 +189,18 @@ def test_the_ring_goes_with_a_rope_that_falls(open_window: Open, serve: Serve) -
         const place = marks.ringPlace();
         return Math.hypot(...[0, 1, 2].map((k) => place[k] - nodes.shown[at + k]));
     })()"""
-    seen = []
-    for node in (6, 8, 10, 12, 14, 16):
+    seen: list[float] = []
+    end = time.monotonic() + PATIENCE
+    for node in cycle((6, 8, 10, 12, 14, 16)):
         window.page.mouse.move(*window.screen(node))
         for _ in range(5):
-            seen.append(window.ask(away))
+            found = window.ask(away)
+            seen += [] if found is None else [found]
             window.page.wait_for_timeout(20)
-    assert len([one for one in seen if one is not None]) > 5
-    assert max(one for one in seen if one is not None) < 1e-9
+        if len(seen) > 5 and node == 16:
+            break
+        assert time.monotonic() < end, "no ring"
+    assert max(seen) < 1e-9
 
 
 def test_a_near_miss_shifts_the_view_and_does_not_turn_it(open_window: Open, serve: Serve) -> None:
@@ -355,15 +290,18 @@ def test_a_rope_let_go_in_motion_is_thrown(window: Window) -> None:
     )
     mouse = window.page.context.new_cdp_session(window.page)
     for rest in (0.01, 0.5):  # [s] before the release
-        x, y = window.screen(20)
-        now = time.time()
+        x = y = now = 0.0
 
-        def tell(kind: str, way: float, after: float, x: float = x, y: float = y) -> None:
+        def tell(kind: str, way: float, after: float) -> None:
             about = {"type": kind, "x": x, "y": y - way, "timestamp": now + after}  # noqa: B023
             pressed = {"button": "left", "buttons": 1, "clickCount": 1}
             mouse.send("Input.dispatchMouseEvent", about | pressed)
 
-        tell("mousePressed", 0.0, 0.0)
+        while not window.ask("r.app.pointer.hands.size"):  # the rope may have gone on
+            tell("mouseReleased", 0.0, 0.0)
+            (x, y), now = window.screen(20), time.time()
+            tell("mousePressed", 0.0, 0.0)
+        window.ask("(window.sent.length = 0)")
         for part in range(1, 9):
             tell("mouseMoved", 8.0 * part, 0.01 * part)
         tell("mouseReleased", 64.0, 0.08 + rest)

@@ -61,7 +61,7 @@ def test_a_session_is_saved_and_replays_to_the_same_bits(
     window.tell(type="step", count=session.frame_steps - session.count % session.frame_steps)
     window.click("#open-keep")
     window.click("#keep-save")
-    window.page.get_by_text(f"Saved in {folder}").wait_for()
+    window.heard(f"Saved in {folder}")
     last = Result.open(parts(folder)[-1])
     shown = np.array([window.node(node) for node in range(41)])
     assert np.array_equal(last.positions[-1], session.main.simulation.positions)
@@ -102,7 +102,7 @@ def test_a_link_opens_the_same_set_up(open_window: Open, serve: Serve, tmp_path:
     window.until("location.hash.includes('mass')")
     window.click("#open-keep")
     window.click("#keep-link")
-    window.page.get_by_text("The link is copied").wait_for()
+    window.heard("The link is copied")
     link = window.page.evaluate("() => navigator.clipboard.readText()")
     assert link == window.page.url
     other = serve(Session(slack_rope()), folder=tmp_path / "other")
@@ -114,7 +114,7 @@ def test_a_link_opens_the_same_set_up(open_window: Open, serve: Serve, tmp_path:
     assert other.broadcast.session.scene.ropes[0].own_mass == pytest.approx(3.5)
     window.click("#open-keep")
     window.click("#keep-command")
-    window.page.get_by_text("The command is copied").wait_for()
+    window.heard("The command is copied")
     command = window.page.evaluate("() => navigator.clipboard.readText()")
     program, view, at, address = shlex.split(command)
     assert [program, view, at] == ["ropewalk", "view", "--at"]
@@ -159,6 +159,7 @@ def test_a_run_is_replayed_sought_and_exported(
 ) -> None:
     server, result = recorded
     window = open_window(server.address).ready()
+    window.tell(type="speed", value=0.1)  # it is paused long before its end
     window.press(" ")
     window.until("r.state === 'playing' && r.time > 0.1")
     window.press(" ")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -64,10 +65,15 @@ def words(result: Result) -> str:
     return f"line parted {where}, at {one.tension:.3g} N, t = "
 
 
+def _drawn_as(window: Window, ropes: list[list[int]]) -> None:
+    """Wait until such ropes are drawn, by their first node and their number of nodes."""
+    window.until(f"JSON.stringify({DRAWN}) === '{json.dumps(ropes, separators=(',', ':'))}'")
+
+
 def _has_a_gap(window: Window, result: Result) -> None:
     """There is rope up to the gap and beyond it, and none in its middle."""
     gone = result.partings[0].segment
-    assert window.ask(DRAWN) == [[0, gone + 1], [gone + 1, 20 - gone]]
+    _drawn_as(window, [[0, gone + 1], [gone + 1, 20 - gone]])
     window.settled()
     assert window.at_rope(range(1, gone)) == 1.0
     assert window.at_rope(range(gone + 2, 20)) == 1.0
@@ -85,7 +91,7 @@ def test_a_live_rope_parts_in_words_and_is_two_ropes_then(
     server = serve(Session(pulled_apart()))
     window = open_window(server.address, **WIDE).ready()
     window.tell(type="speed", value=0.05)
-    assert window.ask(DRAWN) == [[0, 21]]
+    _drawn_as(window, [[0, 21]])
     assert not window.page.locator("#parted").is_visible()
     window.press(" ")
     window.until("r.session.layout.variants[0].ropes.length === 2")  # it was cut there
@@ -93,9 +99,9 @@ def test_a_live_rope_parts_in_words_and_is_two_ropes_then(
     window.until("r.state === 'paused'")
     said = window.ask(TEXT)
     assert said.startswith(words(result))
-    assert said in window.page.locator(".notices").inner_text()
+    window.heard(said)
     gone = result.partings[0].segment
-    window.until(f"JSON.stringify({DRAWN}) === '[[0,{gone + 1}],[{gone + 1},{20 - gone}]]'")
+    _drawn_as(window, [[0, gone + 1], [gone + 1, 20 - gone]])
     # Undone with all else, it is told no more.
     window.click("#reset")
     window.until("r.time === 0 && r.session.layout.variants[0].ropes.length === 1")
@@ -120,14 +126,14 @@ def test_a_recording_shows_the_gap_from_then_on(
         when = result.partings[0].time
         window.tell(type="seek", time=max(0.0, when - 0.02))
         window.until(f"r.time < {when} && {TEXT} === ''")
-        assert window.ask(DRAWN) == [[0, 21]]
+        _drawn_as(window, [[0, 21]])
         window.tell(type="seek", time=when + 0.1)
         window.until(f"r.time > {when} && {TEXT} !== ''")
         assert window.ask(TEXT).startswith(words(result))
         _has_a_gap(window, result)
         window.tell(type="seek", time=0.0)  # and it is whole again
         window.until(f"r.time === 0 && {TEXT} === ''")
-        assert window.ask(DRAWN) == [[0, 21]]
+        _drawn_as(window, [[0, 21]])
     finally:
         if server is not None:
             server.stop()
@@ -144,5 +150,5 @@ def test_a_gap_in_a_live_rope_is_drawn_while_it_is_one(
     window.until(f"{TEXT} !== ''")
     assert window.ask("r.session.layout.variants[0].ropes.length") == 1
     gone = result.partings[0].segment
-    window.until(f"JSON.stringify({DRAWN}) === '[[0,{gone + 1}],[{gone + 1},{20 - gone}]]'")
+    _drawn_as(window, [[0, gone + 1], [gone + 1, 20 - gone]])
     assert np.isfinite(window.node(gone)).all()

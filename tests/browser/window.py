@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import time
 from typing import Any
 
@@ -20,6 +21,21 @@ FLAGS = [
     "--host-resolver-rules=MAP rebound.test 127.0.0.1",  # as DNS rebinding does
 ]
 _HARMLESS = ("WebSocket connection to", "GL Driver Message", "net::ERR_")
+# Notices go by themselves after some seconds: what they said is kept.
+_HEAR = """() => {
+  window.heard = [];
+  new MutationObserver((changes) => {
+    for (const { addedNodes } of changes)
+      for (const { firstChild } of addedNodes) window.heard.push(firstChild.textContent);
+  }).observe(document.querySelector(".notices"), { childList: true });
+}"""
+_TELL = """(command) => {
+  const { session } = window.ropewalk;
+  return session.ask(command).then(
+    ({ frame }) => frame,
+    (fault) => { session.emit("error", fault); return -1; },
+  );
+}"""
 
 
 class Window:
@@ -62,19 +78,32 @@ class Window:
     def ready(self) -> Window:
         """Wait for the first picture."""
         self.until("r.frames > 0 && r.drawn > 0 && r.state !== 'waiting'")
+        self.page.evaluate(_HEAR)
         return self
 
     def tell(self, **command: Any) -> bool:
-        """Send a command as the page does; tell whether it was done."""
-        done: bool = self.page.evaluate("command => window.ropewalk.session.tell(command)", command)
-        return done
+        """Send a command as the page does; tell whether it was done, once the page has the frame with it."""
+        frame = self.page.evaluate(_TELL, command)
+        self.until(f"r.frame >= {frame}")
+        return bool(frame >= 0)
+
+    def caught_up(self) -> None:
+        """Wait for the frame with all that was told the server so far: answers and states come before it."""
+        on = self.ask("r.app.controls.hearing.sound.on")
+        if self.ask("r.session.connection === 'open' && r.session.can('listen')"):
+            self.tell(type="listen", on=on)  # changes nothing
+
+    def heard(self, text: str) -> None:
+        """Wait until a notice has said a text, though it may be gone; then forget what was said."""
+        self.until(f"window.heard.some((one) => one.includes({json.dumps(text)}))")
+        self.page.evaluate("() => { window.heard.length = 0; }")
 
     def node(self, node: int, variant: int = 0) -> np.ndarray:
         """Where a node is [m]."""
         return np.array(self.ask(f"r.nodeAt({node}, {variant})"))
 
-    def screen(self, node: int) -> tuple[float, float]:
-        """Where a node is in the window [CSS pixels]."""
+    def screen(self, node: int | str) -> tuple[float, float]:
+        """Where a node, or the one that an expression of `r` names, is in the window [CSS pixels]."""
         place = self.ask(f"r.screenOf({node})")
         return place["x"], place["y"]
 
@@ -100,6 +129,7 @@ class Window:
 
     def settled(self) -> None:
         """Wait until what is drawn is the newest frame, unmoving."""
+        self.caught_up()
         still = self.page.evaluate(
             """() => new Promise((done) => {
                 let [last, same, frames] = [-1, 0, 0];
