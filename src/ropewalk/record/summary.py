@@ -9,6 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.balances import energy_note, lost_note
+from ropewalk.record.coarse_note import coarse_note
 from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
@@ -84,6 +85,7 @@ def summary(result: Result) -> dict[str, Any]:
         **({"about the stretch limiter": note} if (note := limiter_note(result)) else {}),
         **({"about the obstacles": note} if (note := deep_note(result)) else {}),
         **({"about the contacts": note} if (note := reach_note(result)) else {}),
+        **({"about the wraps": note} if (note := coarse_note(result)) else {}),
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),

@@ -69,6 +69,8 @@ def method_section(result: Result) -> Section:
         items.append(Text(f"The obstacles: {note}.", warning=True))
     if note := table.get("about the contacts"):
         items.append(Text(f"The contacts: {note}.", warning=True))
+    if note := table.get("about the wraps"):
+        items.append(Text(f"The wraps: {note}.", warning=True))
     return Section("Method", tuple(items))
 
 

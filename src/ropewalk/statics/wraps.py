@@ -10,7 +10,9 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.laws.obstacle import Obstacles
 from ropewalk.lowering import Model, Span
+from ropewalk.lowering.coarse_turns import FINE, CoarseTurn, coarse_turn
 from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, stretches
 from ropewalk.statics.standing import standing_obstacles
 from ropewalk.words.prefixes import prefixed
@@ -22,9 +24,6 @@ MANY = (
 _JAMS = 1e-9  # share of the pull that moves the rope on, below which it jams [1]
 _ROUNDING = 1e-6  # of a tension [1]
 _LEVEL = 1e-3  # [rad] a rope that turns by less lies straight
-# Of a quarter turn with friction 0.3 tensions erred by up to 30 % with two nodes on it, 14 % with three, and
-# 3 % with four.
-_SHARP, _FAR = math.radians(25.0), math.radians(45.0)  # a turn at each node, and in all [rad]
 
 
 @dataclass(frozen=True)
@@ -46,6 +45,7 @@ class Wrap:
     backward: bool  # whether they are of the tension before
     use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
     friction: float  # coefficient of both [1]
+    coarse: CoarseTurn = FINE  # how far the ratio of tensions errs
 
     @property
     def share(self) -> float:
@@ -93,17 +93,17 @@ class Wrap:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain values, with the share."""
-        return vars(self) | {"share": self.share}
+        return vars(self) | {"coarse": self.coarse._asdict(), "share": self.share}
 
 
 def coarse_words(lie: tuple[Wrap, ...]) -> list[str]:
-    """Return a sentence for every stretch with friction that turns by much on few nodes."""
+    """Return a sentence for every stretch that turns with friction on so few nodes that tensions err."""
     return [
         f"rope {wrap.rope!r}: {wrap.where} on {wrap.obstacle!r} and turn{'s' if wrap.nodes == 1 else ''} by "
-        f"{math.degrees(wrap.angle):.3g} degrees: with so few nodes on it tensions may err by some ten per "
-        "cent, with one or two by thirty; take more segments, so that four or more lie on a quarter turn"
+        f"{math.degrees(wrap.angle):.3g} degrees on so few nodes that the ratio of tensions which friction "
+        f"holds there may err {wrap.coarse.most}, as nodes happen to lie; {wrap.coarse.remedy}"
         for wrap in lie
-        if wrap.friction > 0.0 and wrap.angle > max(_SHARP * wrap.nodes, _FAR)
+        if wrap.coarse.is_told
     ]
 
 
@@ -184,18 +184,20 @@ def wraps(
         for o in range(len(table.kind)):
             own = (contacts.node >= rope.start) & (contacts.node <= rope.end)
             runs = stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
-            found += [_wrap(model, x, tension, others, contacts, rope, o, rows) for rows in runs]
+            found += [
+                _wrap(model, table, x, tension, others, contacts, rope, rows) for rows in runs
+            ]
     return tuple(sorted(found, key=lambda wrap: (wrap.rope, wrap.first))), contacts
 
 
 def _wrap(
     model: Model,
+    table: Obstacles,
     x: Floats,
     tension: Floats,
     others: Floats,
     contacts: Contacts,
     rope: Span,
-    o: int,
     rows: Ints,
 ) -> Wrap:
     first, last = int(contacts.node[rows[0]]), int(contacts.node[rows[-1]])
@@ -208,7 +210,11 @@ def _wrap(
     pull = before if back else after
     if not (1.0 - _ROUNDING) * least <= pull <= (1.0 + _ROUNDING) * most:
         least = most = math.nan  # not by this contact alone: another body, or a press
-    body = model.scene.obstacles[o]
+    body, made = (
+        model.scene.obstacles[int(contacts.obstacle[rows[0]])],
+        model.scene.rope_named(rope.name),
+    )
+    friction = body.friction_with(made)
     return Wrap(
         rope=rope.name,
         obstacle=body.name,
@@ -222,7 +228,8 @@ def _wrap(
         most=most,
         backward=back,
         use=float(contacts.use[rows].max()),
-        friction=body.friction_with(model.scene.rope_named(rope.name)),
+        friction=friction,
+        coarse=coarse_turn(table, contacts, rows, x, friction, made.segment_length),
     )
 
 
