@@ -274,6 +274,7 @@ def _node_tables(scene: Scene, layout: Layout, mass: Floats, keep: Pieces) -> An
         "slides": (),
         "winches": (),
         "bound": (),
+        "inert": (),
     }
     each = zip(scene.ropes, layout.ropes, strict=True)
     inputs["parts"] = tuple((rope.strength, passing(rope, span)) for rope, span in each)
@@ -286,6 +287,7 @@ def _node_tables(scene: Scene, layout: Layout, mass: Floats, keep: Pieces) -> An
         wheels = any(map(is_free, scene.obstacles))  # ropes on one pull on each other
         bound = [range(len(thick))] if wheels else bound_ropes(scene)
         inputs["bound"] = tuple(map(tuple, bound))  # as pieces compare them
+        inputs["inert"] = mass
     return NodeTables(
         *(
             keep(law.name, law.lower, section_of(law, scene), *(inputs[n] for n in law.inputs))

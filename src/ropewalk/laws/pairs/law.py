@@ -75,10 +75,11 @@ def lower(
     joints: Sequence[Joint],
     slides: Sequence[Slide],
     bound: Sequence[Sequence[int]],
+    inert: Floats,
 ) -> Pairs:
     """Return the table of a scene's ropes; `whole` is a rope's mass with all it is tied to [kg].
 
-    `bound` are groups of ropes that pull on each other, contact or not, by their numbers.
+    `bound` are numbers of ropes that pull on each other, contact or not; `inert` are masses of nodes [kg].
     """
     s = layout.segments if contact is not None else 0
     table = Pairs(
@@ -123,7 +124,7 @@ def lower(
             own_masses = table.mass[span.first] + table.load[span.first : span.last + 1]
             table.behind[span.first : span.last + 1] = np.maximum(mass - own_masses, 0.0)
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
-    _note_joints(table, layout, ropes, joints)
+    _note_joints(table, layout, ropes, joints, inert)
     return _with_slides(table, layout, ropes, slides)
 
 
@@ -139,12 +140,14 @@ def neighbours(rope: Rope, radius: float = 0.0) -> int:
 
 
 def _note_joints(
-    table: Pairs, layout: Layout, ropes: Sequence[Rope], joints: Sequence[Joint]
+    table: Pairs, layout: Layout, ropes: Sequence[Rope], joints: Sequence[Joint], inert: Floats
 ) -> None:
-    """Write which joints are so near a segment that those beyond them are its neighbours, and their loads."""
+    """Write which joints are so near a segment that those beyond them are its neighbours; what they tie."""
     numbers = {rope.name: number for number, rope in enumerate(ropes)}
     for j, joint in enumerate(joints):
-        together = sum(table.load[layout.node(tie.node, tie.rope)] for tie in joint.points)
+        nodes = [layout.node(tie.node, tie.rope) for tie in joint.points]
+        together, pushed = table.load[nodes].sum(), (inert + table.behind)[nodes].max()
+        table.behind[nodes] = max(inert[nodes].sum(), pushed) - inert[nodes]
         for tie in joint.points:
             rope, span = ropes[numbers[tie.rope]], layout.ropes[numbers[tie.rope]]
             node, reach = layout.node(tie.node, tie.rope), max(1, neighbours(rope))
@@ -370,7 +373,7 @@ CONTACT = NodeLaw(
     name="contact",
     section="contact",
     lower=lower,
-    inputs=("layout", "ropes", "whole", "joints", "slides", "bound"),
+    inputs=("layout", "ropes", "whole", "joints", "slides", "bound", "inert"),
     acts=acts,
     force=force,
     tangent=tangent,

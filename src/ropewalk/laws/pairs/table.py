@@ -83,7 +83,7 @@ class Pairs(NamedTuple):
     stop: Floats  # (s,) the same of one that is pressed through
     mass: Floats  # (s,) of a node [kg]
     load: Floats  # (n,) what nodes carry beside their rope [kg]
-    behind: Floats  # (n,) what rigid links push along with a node [kg]
+    behind: Floats  # (n,) what rigid links push along with a node, or a joint does [kg]
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
