@@ -116,14 +116,10 @@ def test_what_sticks_leaves_backwards_as_it_is_said(
     assert found[2] == pytest.approx(goes, abs=0.01)
 
 
-@pytest.mark.parametrize("share", [0.5, 0.8, 1.0])
-@pytest.mark.parametrize(
-    ("thick", "mass"), [((D, 0.2 * D), (0.1, 0.9)), ((D, D), (0.1, 0.9)), ((D, D), (0.5, 0.5))]
-)
-def test_what_a_joint_ties_counts(
-    share: float, thick: tuple[float, float], mass: tuple[float, float]
-) -> None:
-    """Left with 0.81 for 0.5 where a thick light end stops for a thin heavy one with its own damper."""
+def tied(
+    share: float, thick: tuple[float, float], mass: tuple[float, float], stops: float
+) -> Scene:
+    """Two ropes, tied at their first nodes, that come at a floor for so much mass [kg]."""
     ropes = [
         Rope(
             name=name, segments=1, length=1.0, diameter=wide,
@@ -132,10 +128,35 @@ def test_what_a_joint_ties_counts(
         )
         for name, side, wide, heavy in zip("ab", (1.0, -1.0), thick, mass, strict=True)
     ]  # fmt: skip
-    joint = Joint(points=[Tie(rope="a", node=0), Tie(rope="b", node=0)])
-    soft = softness(mass=sum(mass) / thick.count(D))
-    scene = thrown(floor(share, compliance=soft)).replace(ropes=ropes, joints=[joint])
+    joint = Joint(name="knot", points=[Tie(rope="a", node=0), Tie(rope="b", node=0)])
+    floored = thrown(floor(share, compliance=softness(mass=stops)))
+    return floored.replace(ropes=ropes, joints=[joint])
+
+
+@pytest.mark.parametrize("share", [0.5, 0.8, 1.0])
+@pytest.mark.parametrize(
+    ("thick", "mass"), [((D, 0.2 * D), (0.1, 0.9)), ((D, D), (0.1, 0.9)), ((D, D), (0.5, 0.5))]
+)
+def test_what_a_joint_ties_counts(
+    share: float, thick: tuple[float, float], mass: tuple[float, float]
+) -> None:
+    """Left with 0.81 for 0.5 where a thick light end stops for a thin heavy one with its own damper."""
+    scene = tied(share, thick, mass, sum(mass) / thick.count(D))
     assert left(scene)[1] / SPEED == pytest.approx(share, abs=5e-3)
+
+
+@pytest.mark.parametrize("share", [0.5, 0.8])
+def test_what_a_joint_has_let_go_counts_no_more(share: float) -> None:
+    """Left with 0.05 for 0.5 where the damper stayed that of all that had been tied; `restore` ties again."""
+    simulation = Simulation(tied(share, (D, 0.2 * D), (0.1, 0.9), 0.1))
+    before = simulation.state
+    for lets_go in (True, False, True):
+        simulation.restore(before)
+        if lets_go:
+            simulation.cut_joint("knot")
+        simulation.advance_frames(1)
+        speeds = simulation.velocities[[0, 2], 1] / SPEED
+        assert speeds == pytest.approx(np.full(2, share), abs=5e-3)
 
 
 @pytest.mark.parametrize("share", [0.5, 0.8, 1.0])

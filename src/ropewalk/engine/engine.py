@@ -18,6 +18,7 @@ from ropewalk.engine.crawl import Crawl, ends_of
 from ropewalk.engine.met_before import is_as
 from ropewalk.engine.slices import Slices
 from ropewalk.engine.start import set_first_reactions
+from ropewalk.engine.untying import suit_dampers
 from ropewalk.laws.ledger import gravity_energy
 from ropewalk.laws.winch import joined
 from ropewalk.lowering import Model
@@ -118,6 +119,7 @@ def controlled(system: System, controls: Controls) -> System:
         motion=table.motion._replace(kind=kind, params=params),
         turns=table.turns._replace(kind=turning, params=angles),
         spin=spin,
+        damping=table.damping.copy(),
     )
     return system._replace(
         node=system.node._replace(obstacle=table),
@@ -189,9 +191,12 @@ class Engine:
         """Find out anew what is coupled, where joints were cut or tied since."""
         tied = self._tied
         known = tied is not None and not (tied.size and (tied != self.state.tied).any())
-        if known or not self._method.implicit:
+        if known:
             return
         self._tied = self.state.tied.copy()
+        suit_dampers(self.model, self.system.node.obstacle, self.state)
+        if not self._method.implicit:
+            return
         alive, bends = joined(self.system, self.state), bool(self.system.flags[BENDING])
         memory = self.state.memory
         groups = len(memory.slide.group) + len(memory.contact.pair)

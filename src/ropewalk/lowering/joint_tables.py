@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints, Joints, State
-from ropewalk.laws.obstacle import radius_of
 from ropewalk.lowering.layout import Layout
 from ropewalk.scene import Joint, Rope, Scene, SceneError, Tie
 from ropewalk.scene.faults import Fault
@@ -23,19 +22,6 @@ def joint_tables(joints: tuple[Joint, ...], layout: Layout) -> Joints:
     held = [joint_of.get(node, -1) for node in layout.anchor_nodes]
     member = [node for nodes in members for node in nodes]
     return Joints(*(np.array(part, np.int64) for part in (first, member, held)))
-
-
-def masses_to_stop(scene: Scene, layout: Layout, mass: Floats) -> Floats:
-    """Return what a contact of every node stops [kg], (n,): of a joint all that it ties, of these masses.
-
-    In even parts, one for each of its thickest nodes: these press, each with a damper of its own.
-    """
-    found = mass.copy()
-    for joint in scene.joints:
-        nodes = [layout.node(tie.node, tie.rope) for tie in joint.points]
-        thick = [radius_of(scene.rope_named(tie.rope)) for tie in joint.points]
-        found[nodes] = mass[nodes].sum() / thick.count(max(thick))
-    return found
 
 
 def join(scene: Scene, layout: Layout, state: State) -> None:

@@ -22,8 +22,9 @@ from ropewalk.laws.acting import section_of
 from ropewalk.laws.anchors import anchor_places
 from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
+from ropewalk.lowering.dampers import masses_to_stop, suited
 from ropewalk.lowering.elastic_tables import elastic_tables, remembers, said_by, softest
-from ropewalk.lowering.joint_tables import join, joint_tables, masses_to_stop
+from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import Order, limiter_order
 from ropewalk.lowering.masses import line, line_density, masses, passing
@@ -288,12 +289,16 @@ def _node_tables(scene: Scene, layout: Layout, mass: Floats, keep: Pieces) -> An
         bound = [range(len(thick))] if wheels else bound_ropes(scene)
         inputs["bound"] = tuple(map(tuple, bound))  # as pieces compare them
         inputs["inert"] = mass
-    return NodeTables(
+    tables = NodeTables(
         *(
             keep(law.name, law.lower, section_of(law, scene), *(inputs[n] for n in law.inputs))
             for law in NODE_LAWS
         )
     )
+    if not (scene.obstacles and scene.joints):
+        return tables
+    damping = suited(tables.obstacle, scene, layout, mass)
+    return tables._replace(obstacle=tables.obstacle._replace(damping=damping))
 
 
 def tied_masses(scene: Scene) -> tuple[float, ...]:
