@@ -59,8 +59,7 @@ def test_every_speed_is_reached_by_its_notch(window: Window) -> None:
 
 def test_every_key_of_the_help_has_an_effect(window: Window) -> None:
     window.page.mouse.move(640, 300)
-    window.page.mouse.wheel(0, 300)
-    window.settled()
+    _zoom(window, 300)
     done = {".", "r", "h", "?", *SHORTCUTS}
     for key, (watch, effect) in SHORTCUTS.items():
         window.page.evaluate(f"() => {{ const r = window.ropewalk; window.was = {watch}; }}")
@@ -82,6 +81,14 @@ def test_every_key_of_the_help_has_an_effect(window: Window) -> None:
     listed = {names.get(key, key.lower() if len(key) == 1 else key) for key in keys}
     undo = {"Ctrl", "z"}  # pressed in test_hands
     assert listed == done | undo  # no key is listed that was not pressed, and none left out
+
+
+def _zoom(window: Window, by: int) -> None:
+    """Turn the wheel, and wait until the page has heard of it."""
+    distance = window.ask("r.viewport.camera.pose.distance")
+    window.page.mouse.wheel(0, by)
+    window.until(f"r.viewport.camera.pose.distance !== {distance}")
+    window.settled()
 
 
 def _press_places(window: Window) -> set[str]:
@@ -180,8 +187,7 @@ def test_every_view_looks_its_way(window: Window) -> None:
     window.settled()
     assert np.allclose(window.ask(toward), first, atol=1e-3)
     window.page.mouse.move(640, 300)
-    window.page.mouse.wheel(0, 500)
-    window.settled()
+    _zoom(window, 500)
     far = window.ask("r.viewport.camera.pose.distance")
     window.click("#view-fit")
     window.settled()
@@ -209,7 +215,7 @@ def test_the_hand_turns_shifts_and_zooms_the_view(window: Window) -> None:
     assert shifted[0] == turned[0]
     assert np.linalg.norm(shifted[1:4] - turned[1:4]) > 0.1
     window.page.mouse.wheel(0, -300)
-    assert window.ask("r.viewport.camera.pose.distance") < 0.9 * shifted[4]
+    window.until(f"r.viewport.camera.pose.distance < {0.9 * shifted[4]}")
 
 
 def test_panel_and_theme_by_their_buttons(window: Window) -> None:

@@ -84,7 +84,7 @@ def test_an_anchor_that_cannot_keep_up_says_why(open_window: Open, serve: Serve)
     said = "[...document.querySelectorAll('.labels span.grab')].filter((e) => !e.hidden)"
     said += ".map((e) => e.innerText)"
     assert window.tell(type="speed", value=0.01)
-    window.take(0, (60.0, -90.0))
+    window.take(0, (240.0, -240.0))  # some ten seconds away
     window.until(f"{said}.includes('30 m/s (no faster)')")
     main = server.broadcast.session.main
     velocity = np.linalg.norm(main.simulation.anchors[next(iter(main.hands.targets))].velocity)

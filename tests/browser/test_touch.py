@@ -65,7 +65,7 @@ def test_either_rope_has_an_arrow_at_each_contact(open_window: Open, serve: Serv
     assert window.page.locator("#contacts-left-out").is_hidden()
     window.click("#show-contacts")
     window.until("r.viewport.marks.touches.length === 0")
-    assert window.page.locator("#contact-scale").is_hidden()
+    window.page.locator("#contact-scale").wait_for(state="hidden")
 
 
 def test_it_says_when_not_all_contacts_have_arrows(
