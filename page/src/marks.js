@@ -9,6 +9,7 @@ import {
   CROWD,
   REACTION,
   drawnOf,
+  forceText,
   hasTail,
   holding,
   crowded,
@@ -175,7 +176,8 @@ export class Marks {
 
   /** What anchors hold. @param {import("./reactions.js").Holding[]} held @param {Arrow[]} arrows */
   addReactions(held, arrows) {
-    const { camera, theme } = this.viewport;
+    const { camera, theme, session } = this.viewport;
+    const playing = session.status?.playing ?? false;
     const per = (longest(camera) * camera.pose.distance) / camera.focal / this.strongest;
     const large = drawnOf(held, this.strongest, this.arrowed);
     const pointed = (/** @type {import("./reactions.js").Holding} */ one) => this.pointedAt(one);
@@ -186,12 +188,18 @@ export class Marks {
     this.crowd = crowded(held) ? { forces: held.length, large: large.length } : null;
     for (const one of drawn) {
       const { variant, a, place: from, force, size, peak } = one;
-      const to = plus(from, force, (peak / size) * per); // as long as its label says
+      const to = plus(from, force, per);
       arrows.push({ from, to, colour: theme.arrow, pixels: 2.6, head: true });
       if (!numbered.includes(one)) continue;
       const most = Math.max(peak, this.most[variant]?.[a] ?? 0);
       const id = `reaction ${nameOf(one)}`;
-      this.labels.push({ id, from, at: to, text: quantity(most, "N"), kind: "reaction" });
+      this.labels.push({
+        id,
+        from,
+        at: to,
+        text: forceText(size, most, playing),
+        kind: "reaction",
+      });
     }
   }
 

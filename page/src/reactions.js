@@ -1,6 +1,7 @@
 // What anchors hold: the forces behind their arrows, and the room that these need in a picture.
 
 import { contactTips } from "./touches.js";
+import { quantity } from "./view/range.js";
 import { minus, plus, unit, vector } from "./view/vector.js";
 
 /** @typedef {import("./viewport.js").Viewport} Viewport */
@@ -18,6 +19,7 @@ export const CROWD = 8; // anchors, up to which all have their arrows; numbers, 
 const LOUD = 0.5; // of the strongest: of a crowd, those above it are shown
 const HUSHED = 0.42; // below which one of them is no longer: it does not flicker
 const KEPT = 1.15; // by which a force must be larger than one that has a number, to take its place
+const WELL = 1.05; // times what it is now, above which the greatest is told as such
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
 const CLEAR = 6; // that tips stay away from tools [CSS pixels]
 const MOST = 0.12; // of the height that is free, which arrows may take at one side
@@ -46,16 +48,25 @@ export function holding({ session }, places) {
   return found;
 }
 
-/** The force of the longest arrow [N]. @param {Holding[]} held */
+/** The force of the longest arrow: as arrows point, it is that of now [N]. @param {Holding[]} held */
 export const strongestOf = (held) =>
-  Math.max(0, ...held.map(({ peak }) => peak).filter(Number.isFinite));
+  Math.max(0, ...held.map(({ size }) => size).filter(Number.isFinite));
+
+/** A force in words: what it is now, and the greatest since words were last written where that is well above it; while
+ * time goes on there is no time to read both. @param {number} size @param {number} most [N]
+ * @param {boolean} playing */
+export function forceText(size, most, playing) {
+  if (!(most > WELL * size)) return quantity(playing ? most : size, "N");
+  const greatest = `max ${quantity(most, "N")}`;
+  return playing ? greatest : `${quantity(size, "N")}, ${greatest}`;
+}
 
 /** Of those that hold, the ones whose force is drawn: of a crowd the strong ones, and what is pointed at.
  * @param {Holding[]} held @param {number} strongest [N] @param {Set<string>} [before] names of those drawn before
  * @param {(one: Holding) => boolean} [pointed] */
 export function drawnOf(held, strongest, before = new Set(), pointed = () => false) {
   const crowd = crowded(held);
-  const now = strongestOf(held); // of which a crowd's are: all of them may have been far stronger
+  const now = Math.max(0, ...held.map(({ peak }) => peak).filter(Number.isFinite)); // of which a crowd's are
   return held.filter((one) => {
     if (one.size < 1e-9) return false;
     if (pointed(one)) return true;
@@ -91,8 +102,8 @@ export function tipsOf(viewport, camera) {
   const held = holding(viewport, anchors.to);
   const strongest = Math.max(strongestOf(held), marks.strongest);
   const length = (longest(camera) * camera.pose.distance) / camera.focal;
-  const tips = drawnOf(held, strongest, marks.arrowed).map(({ place, force, size, peak }) =>
-    plus(place, force, ((peak / size) * length) / strongest),
+  const tips = drawnOf(held, strongest, marks.arrowed).map(({ place, force }) =>
+    plus(place, force, length / strongest),
   );
   return marks.strongest || crowded(held) ? tips : [...tips, ...coming(viewport, held, length)];
 }

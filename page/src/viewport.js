@@ -38,6 +38,10 @@ export class Viewport {
     this.nodes = new Blend(4);
     this.anchors = new Blend(0);
     this.range = new Range();
+    /** Whether there is more than the range's ends. @type {[boolean, boolean]} */ this.beyond = [
+      false,
+      false,
+    ];
     /** @type {Colouring} */
     this.colouring = "tension";
     /** The greatest tension of each rope of each copy [N]. @type {number[][]} */ this.tensions =
@@ -163,10 +167,12 @@ export class Viewport {
     const extremes = gather(frame, layout, this.colouring, this.shifts, nodes);
     tame(nodes, nodesOf(layout), layout.view);
     this.past = this.session.broken !== null || (frame.flags & BROKEN) !== 0;
-    if (!(frame.flags & BROKEN) || this.range.unknown) {
+    const live = this.session.hello?.mode === "live"; // broken, it stands where it was still sound
+    if (live || !(frame.flags & BROKEN) || this.range.unknown) {
       this.tensions = extremes.tensions;
       this.range.follow(extremes.low, extremes.high, Math.min(0.2, (now - this.lastPush) / 1000));
     }
+    this.beyond = this.range.beyond(extremes.low, extremes.high);
     this.lastPush = now;
     if (!again) this.marks.take(frame);
     gatherAnchors(frame, this.shifts, this.anchors.next(now, jump));

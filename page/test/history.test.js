@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { extremes } from "../src/graphs/plot.js";
 import { History } from "../src/graphs/history.js";
-import { numbered } from "../src/graphs/samples.js";
+import { longestOf, numbered } from "../src/graphs/samples.js";
 
 test("going back in time keeps what was before then, and forgets what came after", () => {
   const history = new History();
@@ -55,4 +55,25 @@ test("a line has no past of another anchor, comparison or place", () => {
   assert.deepEqual(fill(layoutOf(["right"], 41, "rk4")), without("force 0"));
   assert.deepEqual(fill(layoutOf(["right"], 41, "bdf2")), without("difference 1"));
   assert.deepEqual(fill(layoutOf(["right"], 61, "bdf2")), without("height 7", "low tension 7"));
+});
+
+test("samples that are missing are known, whatever speed comes later", () => {
+  const history = new History();
+  for (const time of [0, 0.1, 0.2]) history.add(time, [["a", time]], 0.12);
+  history.add(0.7, [["a", 0.7]], 0.12);
+  history.add(1.2, [["a", 1.2]], 0.8); // eight times as fast
+  assert.deepEqual([...history.apartBetween(0, 2)], [0, 0, 0, 1, 0]);
+  history.add(0.15, [["a", 0]], 0.12); // gone back
+  assert.deepEqual([...history.apartBetween(0, 2)], [0, 0, 0]);
+  assert.equal(history.between(0, 2, ["a"])[0].length, 3);
+});
+
+test("frames are late by the clock, or by the scene's own", () => {
+  const hello = { mode: "live" };
+  const status = { speed: 1, dt: 0.002, steps_per_frame: 8 };
+  const near = (session, wanted) => assert.ok(Math.abs(longestOf(session) - wanted) < 1e-12);
+  near({ hello, status }, 0.1);
+  near({ hello, status: { ...status, speed: 8 } }, 0.8);
+  near({ hello, status: { ...status, speed: 0.01 } }, 0.064);
+  assert.equal(longestOf({ hello: { mode: "replay" }, status }), Infinity);
 });

@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { isStable, largestStep } from "../src/lab/bounds.js";
 import { METHODS, Rope } from "../src/lab/kernel.js";
-import { tensions } from "../src/lab/measures.js";
+import { brief, tensions, told } from "../src/lab/measures.js";
 import { atMost } from "../src/lab/why.js";
 
 /** One mass of 0.5 kg on a spring of 200 N/m, in line with gravity. @param {object} [more] @returns {any} */
@@ -108,4 +108,12 @@ test("the largest step is told no larger than it is", () => {
     assert.ok(parseFloat(atMost(exact / 1e3)) <= exact * (1 + 1e-12));
     assert.ok(parseFloat(atMost(exact / 1e3)) > exact * (1 - 1.1e-3));
   }
+});
+
+test("what breaks soon is told with a power of ten", () => {
+  assert.equal(brief(113456789012345), "1.135e14");
+  assert.equal(brief(-1550.26), "-1550");
+  assert.equal(brief(2e-10), "0");
+  assert.equal(told(1.23456e14, "N"), "1.23e14 N");
+  assert.equal(told(1.23456e9, "N"), "1230 MN");
 });

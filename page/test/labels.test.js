@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { holes } from "../src/graphs/plot.js";
+import { holes } from "../src/graphs/holes.js";
 import { free, placesFor } from "../src/view/places.js";
 
 const SIZE = [60, 20];
@@ -58,4 +58,5 @@ test("lines of a graph leave gaps where there is nothing", () => {
     [3, 4],
   ]);
   assert.deepEqual(holes([0, 0.1, 0.2], [1, 2, 3], 0, 2), []);
+  assert.deepEqual(holes([0, 0.1, 0.7], [1, 2, 3], 0, 2, [0, 0, 1]), [[1, 2]]); // samples are missing
 });

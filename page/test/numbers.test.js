@@ -92,6 +92,17 @@ test("the range of colours grows at once and shrinks slowly", () => {
   assert.ok(Number.isFinite(range.high));
 });
 
+test("a range knows that there is more than its ends have colours for", () => {
+  const range = new Range();
+  range.follow(-140, 150, 0);
+  assert.deepEqual(range.beyond(-140, 150), [false, false]);
+  assert.deepEqual(range.beyond(-3, 700), [false, true]);
+  assert.deepEqual(range.beyond(-150, 20), [true, false]);
+  const pushed = new Range();
+  pushed.follow(-1, 150, 0);
+  assert.deepEqual([pushed.low, ...pushed.beyond(-1, 150)], [0, false, false]); // left out there, too
+});
+
 test("a jolt at the start leaves the range, what comes again stays", () => {
   const jolt = new Range();
   jolt.follow(-660, 30, 0);

@@ -4,7 +4,8 @@ import { test } from "node:test";
 import { said, sentence, Walk } from "../src/input/walk.js";
 import { Compare } from "../src/panels/compare.js";
 import { Keep } from "../src/panels/keep.js";
-import { PLAYING } from "../src/source/frame.js";
+import { BROKEN, PLAYING } from "../src/source/frame.js";
+import { Range } from "../src/view/range.js";
 import { Viewport } from "../src/viewport.js";
 
 /** @template T @param {new (...of: any[]) => T} kind @param {any} has @returns {T} */
@@ -130,4 +131,35 @@ test("a part of a replay in which gravity has turned is looked at anew, as a liv
   assert.equal(show(3, [0, 1, 0], [0, -5, 0]), true);
   assert.equal(show(4, [0, 0, 1], [0, 0, 0]), false); // without gravity up stays
   assert.deepEqual(asked, [[0, 0, 1], [0, 1, 0]]); // prettier-ignore
+});
+
+test("a live scene that broke has the range of where it was still sound; steps past a break have not", () => {
+  const ropes = [{ first: 0, nodes: 2 }];
+  const variants = [{ nodes: 2, anchors: [], ropes, loads: [] }];
+  const layout = { variants, scalars, view: { center: [0, 0, 0], radius: 1 } };
+  const frame = (time, high, flags) => {
+    const tension = Uint16Array.of(65535, 65535);
+    const seen = {
+      greatestTension: tension,
+      leastTension: Uint16Array.of(0, 0),
+      greatestForce: [],
+    };
+    const anchors = new Float32Array(0);
+    const positions = new Float32Array(6);
+    return { time, flags, parts: [{ positions, seen, anchors, scalars: [0, 0, 0, high] }] };
+  };
+  const next = { next: (now, jump) => new Float32Array(8) };
+  const shown = (mode) => {
+    const viewport = made(Viewport, {
+      ...{ session: { layout, hello: { mode }, broken: null }, range: new Range() },
+      ...{ nodes: next, anchors: next, shifts: [[0, 0, 0]], colouring: "tension", lastTime: 0 },
+      ...{ gaps: { take() {} }, marks: { take() {}, trails: null }, follower: { take() {} } },
+    });
+    viewport.takeFrame(frame(0, 6e-6, 0));
+    viewport.range.fresh = true; // it broke
+    viewport.takeFrame(frame(0.02, 14, BROKEN));
+    return [viewport.range.high, ...viewport.beyond];
+  };
+  assert.deepEqual(shown("live"), [14, false, false]);
+  assert.deepEqual(shown("replay"), [6e-6, false, true]);
 });

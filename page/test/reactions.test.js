@@ -3,7 +3,7 @@ import { test } from "node:test";
 
 import { Framing } from "../src/framing.js";
 import { partNear } from "../src/solids.js";
-import { drawnOf, hasTail, numberedOf, roomFor } from "../src/reactions.js";
+import { drawnOf, forceText, hasTail, numberedOf, roomFor, tipsOf } from "../src/reactions.js";
 import { contactTips, strongestOfEach } from "../src/touches.js";
 import { crowdText, endText } from "../src/panels/legend.js";
 import { Camera } from "../src/view/camera.js";
@@ -191,4 +191,23 @@ test("of many contacts the strongest has its arrow", () => {
   const drawn = strongestOfEach(contact, 200);
   assert.ok(drawn.length <= 200 && drawn.includes(101) && !drawn.includes(100));
   assert.deepEqual(strongestOfEach(contact.subarray(0, 9), 200), [0, 1, 2]);
+});
+
+test("a force says what it is now, and marks what it was at most", () => {
+  assert.equal(forceText(10.8, 65, false), "10.8 N, max 65 N");
+  assert.equal(forceText(10.8, 65, true), "max 65 N");
+  assert.equal(forceText(10.8, 11, false), "10.8 N");
+  assert.equal(forceText(10.8, 11, true), "11 N"); // a tenth of a second is told by its greatest
+});
+
+test("an arrow is as long as the force that it points along, whatever was before", () => {
+  const camera = new Camera();
+  camera.resize(900, 600);
+  camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
+  const made = viewport([0, 0, 5], [50]);
+  made.marks.strongest = 20;
+  const [tip] = tipsOf(made, camera);
+  const [, foot] = camera.project(0, 0, 0);
+  const [, y] = camera.project(...tip);
+  assert.ok(Math.abs(foot - y - 84 / 4) < 0.1, `${foot - y}`); // a quarter of the longest
 });

@@ -117,6 +117,7 @@ test("wraps that are not listed are counted, and old ones have their age", () =>
   assert.equal(lines.length, 5);
   assert.deepEqual(lines[4], ["and 10 more wraps"]);
   assert.deepEqual(words(14, 1)[1][5], ["as it was 1 s ago"]);
+  assert.deepEqual(words(14, 0.4833)[1][5], ["as it was 0.48 s ago"]);
   assert.equal(wordsOf(layout, part({ scalars: new Float32Array(4) }))[0], "Friction");
 });
 

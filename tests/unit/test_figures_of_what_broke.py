@@ -21,6 +21,7 @@ from ropewalk.plots.style import FAINT, scaled_axis
 from ropewalk.plots.tensions import tension_map
 from ropewalk.record.result import Result
 from ropewalk.scene import Force, Straight, Velocity
+from ropewalk.scene.presets import preset
 
 
 def note(figure: Figure) -> str:
@@ -248,6 +249,13 @@ def test_an_equilibrium_is_seen_and_called_so() -> None:
     run = rw.simulate(scene.replace(**{"run.duration": 0.1}))
     assert plots.height(run).axes[0].lines[0].get_marker() == "None"  # a run has its curve
     assert "steps, 0 to 0.1 s" in plots.height(run).texts[1].get_text()
+
+
+def test_an_energy_error_needs_no_power_of_ten() -> None:
+    run = rw.simulate(preset("r7"), on_failure="return")
+    said = note(plots.energy(run))
+    assert "at most 1.55 kJ" in said
+    assert "e+" not in said
 
 
 def test_a_legend_has_the_ground_where_it_is_in_view(level: Result) -> None:

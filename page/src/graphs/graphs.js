@@ -6,7 +6,7 @@ import { BROKEN, PLAYING } from "../source/frame.js";
 import { History } from "./history.js";
 import { PhasePlane } from "./phase.js";
 import { Plot } from "./plot.js";
-import { numbered, samplesOf } from "./samples.js";
+import { longestOf, numbered, samplesOf } from "./samples.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/frame.js").Frame} Frame */
@@ -133,6 +133,7 @@ export class Graphs {
     });
     viewport.session.on("status", () => this.bounds());
     new ResizeObserver(() => this.resize()).observe(this.plots);
+    matchMedia(ONE).addEventListener("change", () => this.rebuild());
     this.plots.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
 
@@ -156,7 +157,8 @@ export class Graphs {
       this.drawSoon(); // no number is taken from beyond a break
       return;
     }
-    this.history.add(frame.time, samplesOf(layout, frame, this.viewport.marks.followed));
+    const samples = samplesOf(layout, frame, this.viewport.marks.followed);
+    this.history.add(frame.time, samples, longestOf(this.viewport.session));
     if (!this.open) return;
     if (!(frame.flags & PLAYING)) {
       this.drawSoon(); // there may be no further frame
@@ -319,7 +321,8 @@ export class Graphs {
     const young = Math.min(Math.max(to - this.span, this.history.first), to - LEAST);
     const from = to > 0 ? Math.max(young, 0) : young; // no time before the first
     if (plot instanceof Plot) {
-      plot.show(this.history.between(from, to, plot.names), from, to);
+      const apart = this.history.apartBetween(from, to);
+      plot.show(this.history.between(from, to, plot.names), apart, from, to);
     } else if (plot && kind === "phase") {
       const node = [...this.viewport.marks.followed][0];
       const [times, heights] = this.history.between(from, to, [`height ${node}`]);

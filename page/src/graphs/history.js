@@ -10,6 +10,7 @@ export class History {
     this.count = 0; // of samples, which lie in `start` to `start + count`
     this.start = 0;
     this.time = new Float64Array(2 * KEPT);
+    this.apart = new Uint8Array(2 * KEPT); // whether samples are missing before one
     /** @type {Map<string, Float64Array>} */
     this.columns = new Map();
     /** @type {string[]} */ this.of = []; // what numbers in names stand for
@@ -31,19 +32,21 @@ export class History {
   }
 
   /** Add a sample; names that were not there before are NaN in the past.
-   * @param {number} time [s] @param {Iterable<[string, number]>} values */
-  add(time, values) {
+   * @param {number} time [s] @param {Iterable<[string, number]>} values
+   * @param {number} [most] from the sample before, where none is missing [s] */
+  add(time, values, most = Infinity) {
     if (this.count > 0 && time <= this.last) {
       if (time === this.last) return; // a paused run
       this.count = this.search(time); // gone back: what was before then still holds
     }
     if (this.start + this.count === 2 * KEPT) {
-      for (const column of [this.time, ...this.columns.values()])
+      for (const column of [this.time, this.apart, ...this.columns.values()])
         column.copyWithin(0, this.start + 1);
       this.start = 0;
       this.count = KEPT - 1;
     }
     const at = this.start + this.count;
+    this.apart[at] = time - this.last > most ? 1 : 0;
     this.time[at] = time;
     for (const column of this.columns.values()) column[at] = NaN;
     for (const [name, value] of values) {
@@ -74,14 +77,25 @@ export class History {
   /** Times and columns between two times, without a copy.
    * @param {number} from @param {number} to [s] @param {string[]} names @returns {Float64Array[]} */
   between(from, to, names) {
-    const low = Math.max(0, this.search(from) - 1);
-    const high = Math.min(this.count, this.search(to) + 1);
-    const [a, b] = [this.start + low, this.start + high];
+    const [a, b] = this.ends(from, to);
     const empty = new Float64Array(b - a).fill(NaN);
     return [
       this.time.subarray(a, b),
       ...names.map((name) => this.columns.get(name)?.subarray(a, b) ?? empty),
     ];
+  }
+
+  /** Whether samples are missing before each between two times. @param {number} from @param {number} to [s] */
+  apartBetween(from, to) {
+    return this.apart.subarray(...this.ends(from, to));
+  }
+
+  /** The first sample to be seen between two times, and the one after the last. @param {number} from
+   * @param {number} to [s] @returns {[number, number]} */
+  ends(from, to) {
+    const low = Math.max(0, this.search(from) - 1);
+    const high = Math.min(this.count, this.search(to) + 1);
+    return [this.start + low, this.start + high];
   }
 
   /** How many samples are before a time. @param {number} time */

@@ -3,13 +3,13 @@
 import uPlot from "uplot";
 
 import { marks, quantity } from "../view/range.js";
+import { bridge, gapsOf } from "./holes.js";
 
 /** `low` and `high` name the bounds of a band, what was between two samples.
  * @typedef {{name: string, label: string, colour: string, low?: string, high?: string}} Series */
 
 const FONT = "11px system-ui, sans-serif";
 const BESIDE = 14; // of an axis, for its ticks and beside its numbers [CSS pixels]
-const PAUSE = 3; // s without a sample that leave a gap
 
 const colour = (/** @type {string} */ name) =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
@@ -22,6 +22,9 @@ export class Plot {
     this.series = series;
     const banded = series.filter(({ low, high }) => low && high);
     /** Names of the columns: the series, then low and high of each band. */
+    /** Whether samples are missing before each. @type {ArrayLike<number>} */ this.apart = [];
+    /** @type {uPlot.Series["gaps"]} */
+    const gaps = (plot, i, first, last) => gapsOf(plot, i, first, last, this.apart);
     this.names = [
       ...series.map(({ name }) => name),
       ...banded.flatMap(({ low, high }) => [low ?? "", high ?? ""]),
@@ -34,7 +37,7 @@ export class Plot {
       width: 1,
       class: "bound", // without a line in the legend
       points: { show: false },
-      gaps: gapsOf,
+      gaps,
     });
     /** What the columns of each scale lie between. @type {[number | null, number | null][]} */
     this.extremes = [];
@@ -73,7 +76,7 @@ export class Plot {
             ticks: { ...line, size: 4 },
             font: FONT,
             size: widthOf,
-            space: 20, // between two marks [CSS pixels]: a low graph has more than one
+            space: 15, // between two marks [CSS pixels]: a low graph has more than one
             values: (/** @type {uPlot} */ _, /** @type {number[]} */ ticks) => marks(ticks, unit),
           })),
         ],
@@ -85,7 +88,7 @@ export class Plot {
             stroke,
             width: 1.6,
             points: { show: false },
-            gaps: gapsOf,
+            gaps,
             value: (/** @type {uPlot} */ _, /** @type {number} */ value) =>
               value === null ? "" : quantity(value, unit),
           })),
@@ -94,6 +97,7 @@ export class Plot {
             return [bound(one.colour, at), bound(one.colour, at)];
           }),
         ],
+        hooks: { drawSeries: [(plot, i) => i <= series.length && bridge(plot, i, this.apart)] },
         bands: banded.map(({ colour: fill }, i) => ({
           series: [series.length + 2 * i + 2, series.length + 2 * i + 1],
           fill: `${fill}40`,
@@ -115,8 +119,10 @@ export class Plot {
     }
   }
 
-  /** @param {Float64Array[]} columns @param {number} from @param {number} to [s] */
-  show(columns, from, to) {
+  /** @param {Float64Array[]} columns @param {Uint8Array} apart whether samples are missing before each
+   * @param {number} from @param {number} to [s] */
+  show(columns, apart, from, to) {
+    this.apart = apart;
     this.extremes = this.own
       ? this.series.map((_, i) => extremes(this.columnsOf(i, columns)))
       : [extremes(columns)];
@@ -170,31 +176,4 @@ function roomy(low, high) {
     return [0, 1];
   const room = Math.max(0.08 * (high - low), 0.01 * Math.max(Math.abs(low), Math.abs(high)), 1e-9);
   return [low - room, high + room];
-}
-
-/** Where a line must not go [canvas pixels]: over samples that are not there, and over long pauses.
- * @param {uPlot} plot @param {number} index of the series @param {number} first @param {number} last
- * @returns {[number, number][]} */
-function gapsOf(plot, index, first, last) {
-  const [times, values] = [plot.data[0], plot.data[index]];
-  const across = (/** @type {number} */ i) => plot.valToPos(times[i], "x", true);
-  return holes(times, /** @type {any} */ (values), first, last).map(([from, to]) => [
-    across(from),
-    across(to),
-  ]);
-}
-
-/** The samples between which there is nothing. @param {ArrayLike<number>} times
- * @param {ArrayLike<number>} values @param {number} first @param {number} last
- * @returns {[number, number][]} */
-export function holes(times, values, first, last) {
-  /** @type {[number, number][]} */ const found = [];
-  let before = -1; // the last sample that is there
-  for (let i = first; i <= last; i++) {
-    if (!Number.isFinite(values[i])) continue;
-    if (before >= 0 && (i > before + 1 || times[i] - times[before] > PAUSE))
-      found.push([before, i]);
-    before = i;
-  }
-  return found;
 }

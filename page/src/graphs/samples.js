@@ -6,6 +6,16 @@ import { between, scalar } from "../source/frame.js";
 /** @typedef {import("../source/protocol.js").Layout} Layout */
 /** @typedef {import("../source/frame.js").Frame} Frame */
 
+const LATE = 0.1; // s of the clock after which a frame is late ...
+const FRAMES = 4; // ... and frames of the scene, where these are longer
+
+/** Between two frames of a server that plays, of which none is missing [s].
+ * @param {import("../session.js").Session} session */
+export function longestOf({ hello, status }) {
+  if (hello?.mode !== "live" || !status) return Infinity; // others show what they have
+  return Math.max(LATE * status.speed, FRAMES * status.dt * status.steps_per_frame);
+}
+
 /** Numbers by name; "tension 12" is that beside node 12.
  * @param {Layout} layout @param {Frame} frame @param {Iterable<number>} nodes
  * @returns {[string, number][]} */

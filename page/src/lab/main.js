@@ -4,7 +4,7 @@ import { largestStep } from "./bounds.js";
 import { Drawing } from "./draw.js";
 import { follow } from "./hand.js";
 import { METHODS, Rope } from "./kernel.js";
-import { LITTLE, energies, gravityAt, tautEnergy, tensions, told } from "./measures.js";
+import { LITTLE, brief, energies, gravityAt, tautEnergy, tensions, told } from "./measures.js";
 import { postRows, readPosts } from "./posts.js";
 import { named } from "./named.js";
 import { Probe, middle } from "./probe.js";
@@ -31,8 +31,6 @@ const input = (id) => /** @type {HTMLInputElement} */ (find(id));
 const choice = (id) => /** @type {HTMLSelectElement} */ (find(id));
 /** @param {string} id */
 const canvas = (id) => /** @type {HTMLCanvasElement} */ (find(id));
-/** @param {number} value four figures; what is below a billionth is rounding */
-const small = (value) => String(Number((Math.abs(value) < LITTLE ? 0 : value).toPrecision(4)));
 
 class Lab {
   /** @param {Scene[]} scenes */
@@ -208,6 +206,8 @@ class Lab {
       this.play(true);
     };
     follow(canvas("rope"), this);
+    const sized = new ResizeObserver(() => this.draw()); // else a paused picture is stretched
+    for (const id of ["rope", "energy", "graph"]) sized.observe(canvas(id));
   }
 
   /** @param {boolean} on */
@@ -330,7 +330,7 @@ class Lab {
     this.energy.draw();
     const point = this.energy.read() ?? this.energy.kept.at(-1);
     for (const [i, name] of ENERGIES.entries())
-      find(`${name}-shown`).textContent = point ? small(point.values[i]) : "";
+      find(`${name}-shown`).textContent = point ? brief(point.values[i]) : "";
     find("energy-time").textContent = this.energy.read() ? `at ${point?.t.toFixed(3)} s` : "";
   }
 }

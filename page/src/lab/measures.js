@@ -4,10 +4,22 @@
 
 export const LITTLE = 1e-9; // what rounding leaves of nothing [N], [J]
 
+const HUGE = 1e10; // from which on a number has a power of ten, as what breaks soon needs
+
+/** @param {number} value four figures; what is below a billionth is rounding */
+export const brief = (value) => {
+  const rounded = Math.abs(value) < LITTLE ? 0 : Number(value.toPrecision(4));
+  return Math.abs(rounded) >= HUGE ? powered(rounded) : String(rounded);
+};
+
+/** @param {number} value as 1.5e14 */
+const powered = (value) => value.toExponential().replace("+", "");
+
 /** @param {number} value three figures and a prefix @param {string} unit */
 export const told = (value, unit) => {
   if (Math.abs(value) <= LITTLE) return `0 ${unit}`;
   const size = Math.abs(value);
+  if (size >= HUGE) return `${powered(Number(value.toPrecision(3)))} ${unit}`;
   const [factor, prefix] = size >= 1e6 ? [1e6, "M"] : size >= 1e4 ? [1e3, "k"] : [1, ""];
   return `${Number((value / factor).toPrecision(3))} ${prefix}${unit}`;
 };

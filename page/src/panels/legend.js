@@ -199,19 +199,20 @@ export class Legend {
     this.paint();
     this.written = performance.now();
     this.tellMargin();
-    const { range, colouring } = this.viewport;
+    const { range, colouring, beyond } = this.viewport;
     const { low, high } = range;
+    const [less, more] = [beyond[0] ? "≤ " : "", beyond[1] ? "≥ " : ""];
     const [unit, scale] = unitFor(colouring, Math.max(Math.abs(low), Math.abs(high)));
     const text = (/** @type {number} */ value) => endText(value, scale, high - low);
     const some = high - low > NOTHING;
     this.low.hidden = this.middle.hidden = !some; // one number where all are the same
     if (!some) {
-      write(this.high, `${text(low)} ${unit}`);
+      write(this.high, `${more}${text(low)} ${unit}`);
       return this.showGrid();
     }
-    write(this.low, text(low));
+    write(this.low, `${less}${text(low)}`);
     write(this.middle, text((low + high) / 2));
-    write(this.high, `${text(high)} ${unit}`);
+    write(this.high, `${more}${text(high)} ${unit}`);
     this.showGrid();
   }
 

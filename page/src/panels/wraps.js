@@ -132,7 +132,8 @@ export function wordsOf(layout, part) {
   const all = scalar(layout, part, "wraps");
   if (all > lines.length) lines.push([`and ${all - lines.length} more wraps`]);
   const age = scalar(layout, part, "wrap_age");
-  if (age > LATE && lines.length) lines.push([`as it was ${quantity(age, "s")} ago`]);
+  if (age > LATE && lines.length)
+    lines.push([`as it was ${quantity(Number(age.toPrecision(2)), "s")} ago`]);
   const summary = part.wraps.length ? "Wraps and friction" : "Friction";
   return [summary, lines, takenText(layout, part)];
 }

@@ -36,6 +36,13 @@ export class Range {
     this.high = top > this.high ? top : this.high + up * (Math.max(top, 1e-9) - this.high);
     this.low = bottom < this.low ? bottom : this.low + down * (bottom - this.low);
   }
+
+  /** Whether there is more than the ends have colours for. @param {number} low @param {number} high
+   * @returns {[boolean, boolean]} */
+  beyond(low, high) {
+    const room = 0.01 * (this.high - this.low); // as much as `follow` leaves out
+    return [low < this.low - room, high > this.high + room];
+  }
 }
 
 const PREFIXES = /** @type {[number, string][]} */ ([

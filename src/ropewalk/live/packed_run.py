@@ -21,6 +21,7 @@ from ropewalk.words.counts import counted
 
 # Half of a step is the error: 0.95e-5 of the longest rope, or 0.095 mm where that is less.
 _OF_LENGTH, _METRES = 1.9e-5, 1.9e-4
+_PAST = 0.02  # of a range, which what lies past a break may exceed: more than the page takes for rounding
 _COARSER = 8  # times, in what lies beyond a frame: the largest of all is among the scalars
 # How far what was seen since the frame before lies beyond the frame: nothing where all is calm.
 _BEYOND = (
@@ -132,15 +133,20 @@ def _showable(pictures: list[Picture], step: float) -> int:
 
 
 def _within(pictures: list[Picture], good: int) -> list[Picture]:
-    """Keep tension and speed past a break to the range before it, whose digits they would cost."""
+    """Keep tension and speed past a break to the range before it, whose digits they would cost.
+
+    A little more is left of them, so that the legend marks an end that is passed.
+    """
     if not 0 < good < len(pictures):
         return pictures
     low = min(float(one.seen.least_tension.min()) for one in pictures[:good])
     high = max(float(one.seen.greatest_tension.max()) for one in pictures[:good])
     fast = max(float(one.seen.greatest_speed.max()) for one in pictures[:good])
+    room = _PAST * (high - min(low, 0.0))
     found = pictures[:good]
     for one in pictures[good:]:
-        tension, speed = np.clip(one.tension, low, high), np.minimum(one.speed, fast)
+        tension = np.clip(one.tension, low - room, high + room)
+        speed = np.minimum(one.speed, (1.0 + _PAST) * fast)
         seen = one.seen._replace(
             least_tension=tension, greatest_tension=tension, greatest_speed=speed
         )

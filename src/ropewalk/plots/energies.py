@@ -26,6 +26,7 @@ from ropewalk.plots.style import (
 from ropewalk.plots.torn import broken_note
 from ropewalk.record.turnover import share_turned
 from ropewalk.words.percents import percent
+from ropewalk.words.prefixes import prefixed
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -118,7 +119,8 @@ def _draw_error(axes: Axes, result: Result, curves: dict[str, Floats], good: int
         _break_scale(axes, [error, least, most], good, 3)
     worst, part = float(np.nanmax(np.abs(result.energy_errors[:good]))), share_turned(result)
     share = "" if np.isnan(part) else f" ({_share(part)} of the energy turned over)"
-    said = f"Energy error: total energy less its start and all works; at most {worst:.3g} J{share}."
+    most_told = prefixed(worst, "J", 3)
+    said = f"Energy error: total energy less its start and all works; at most {most_told}{share}."
     if result.has_extremes:
         said += " The band has every step."
     return (

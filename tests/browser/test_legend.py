@@ -1,0 +1,47 @@
+"""The legend says what the colours mean, however little room there is, and says so where they end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import ropewalk as rw
+from browser.window import Window
+from ropewalk.live.serve import ViewServer
+from ropewalk.live.share import share_result
+from ropewalk.scene.presets import preset
+
+pytestmark = pytest.mark.browser
+
+Open, Serve = Callable[..., Window], Callable[..., ViewServer]
+SCALE = ["#legend-numbers", ".legend .map"]
+
+
+def test_graphs_leave_the_colour_scale(open_window: Open, serve: Serve) -> None:
+    size = {"width": 1024, "height": 760}  # one in which wraps, where there are any, are open
+    window = open_window(serve().address, viewport=size).ready()
+    parts = [*SCALE, "#colouring"]
+    assert all(window.page.locator(part).is_visible() for part in parts)
+    assert window.ask("document.querySelector('#wraps').open")
+    window.press("g")
+    window.until("!document.getElementById('graphs').hidden")
+    assert all(window.page.locator(part).is_visible() for part in parts)
+    window.page.set_viewport_size({"width": 390, "height": 844})
+    window.until("document.getElementById('scene').clientHeight < 400")  # no room for the menu
+    assert all(window.page.locator(part).is_visible() for part in SCALE)
+
+
+def test_past_a_break_the_scale_says_that_there_is_more(tmp_path: Path, open_window: Open) -> None:
+    result = rw.simulate(preset("r7"), on_failure="return")
+    page = share_result(result, tmp_path / "broken.html")
+    window = open_window(page.as_uri(), offline=True)
+    window.until("r.frames > 0")
+    numbers = window.page.locator("#legend-numbers")
+    assert "≥" not in numbers.inner_text()  # the twin
+    seek = window.page.locator("#seek")
+    seek.fill(seek.get_attribute("max") or "")
+    window.until("r.session.frame.flags & 2")
+    window.settled()
+    assert "≥ " in numbers.inner_text()
