@@ -23,6 +23,7 @@ _PIECE = 64  # frames that are read at once
 _LOOKED_AT = 16  # frames, those in which most may be wrong by the line alone
 _TURNS = math.radians(8.0)  # at a node: one that turns by less is not looked at
 _TOWARDS = 0.5  # [1] cosine, of the way in which the line turns and what presses
+_TOLD = math.log(1.05)  # of the ratio: what goes unsaid, as few frames meet the worst
 _PULLS = 0.5  # [1] of a rope's largest tension: with less it tells nothing of that
 
 
@@ -46,20 +47,16 @@ def coarse_note(result: Result) -> str:
     wrap, body = found.wrap, result.scene.obstacles[found.wrap.obstacle]
     name, count = result.layout.ropes[wrap.rope].name, wrap.last - wrap.first + 1
     lay = "one node lay" if count == 1 else f"{count} nodes lay"
-    ratio = (
-        ""
-        if math.isnan(wrap.ratio)
-        else f" ({wrap.ratio:.4g}, by friction {wrap.at_slip:.4g} at most)"
-    )
+    ratio = f"{wrap.ratio:.4g}, by its friction alone {wrap.at_slip:.4g} at most"
     return (
         f"at t = {result.time[found.frame]:.6g} s rope {name!r} turned by {math.degrees(wrap.angle):.3g} "
-        f"degrees on {body.name!r}, where {lay}: with so few on a turn the ratio of its tensions{ratio} may "
-        f"err {found.turn.most}, and jumps as nodes come and go; {found.turn.remedy}"
+        f"degrees on {body.name!r}, where {lay}: with so few on a turn the ratio of its tensions ({ratio}) "
+        f"may err {found.turn.most}, and jumps as nodes come and go; {found.turn.remedy}"
     )
 
 
 def coarsest(result: Result) -> Coarse | None:
-    """Return where most of a tension may be wrong; None where it is known to 3 %."""
+    """Return where most of a tension may be wrong; None where its ratio is known to 5 %, or nothing slips."""
     rubs = any(
         body.friction_with(rope) > 0.0
         for body in result.scene.obstacles
@@ -82,7 +79,7 @@ def coarsest(result: Result) -> Coarse | None:
 
 
 def _of_frame(result: Result, table: Obstacles, frame: int) -> Iterator[Coarse]:
-    """Yield the stretches of ropes on obstacles at a frame that are told of."""
+    """Yield the stretches of ropes on obstacles at a frame that slip, or may, with too few nodes."""
 
     def read(name: str) -> Floats:
         return result.read(name, frame, frame + 1)
@@ -102,7 +99,9 @@ def _of_frame(result: Result, table: Obstacles, frame: int) -> Iterator[Coarse]:
         rope = scene.rope_named(result.layout.ropes[wrap.rope].name)
         friction = scene.obstacles[wrap.obstacle].friction_with(rope)
         turn = coarse_turn(now, contacts, wrap.rows, x, friction, rope.segment_length, t)
-        if turn.is_told:
+        # What is farther from slipping than it may err is held, whatever friction allows; NaN: pulls nothing.
+        slips = math.log(wrap.ratio) + turn.error >= math.log(wrap.at_slip)
+        if turn.error > _TOLD and slips:
             yield Coarse(frame, wrap, turn, max(wrap.before, wrap.after))
 
 
