@@ -9,7 +9,7 @@ relative velocity; see `laws.ledger`. Clamps that turn stand where the step ends
 work does not count as made up. What a bound of the stretch gives does: it stops, and gives nothing; so does
 what friction gives, as it may where a held node stops at once, friction is stiff and the step long. A step
 that makes up a good part of all energy there is has no worth, where what all is carried along with does
-not count.
+not count. What rounding makes up of next to nothing does not either: a rope that coasts has no other energy.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from ropewalk.laws.elastic import CHANGE, stored_energy
 from ropewalk.laws.inner import gained_at_drums, heat
 from ropewalk.laws.ledger import energy_past_anchors
 from ropewalk.laws.rare import has_bending, has_inner, limits, winds
+from ropewalk.methods.rounding import EPSILON
 
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
 # is halved, as what is hard to solve must end somewhere; any part.
@@ -67,7 +68,29 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
         before + energy_past_anchors(state.v, mass, inverse_mass),
         after + energy_past_anchors(stage.v, mass, inverse_mass),
     )
-    return gain > most * (least + turned_over(system, state))
+    bound = most * (least + turned_over(system, state))
+    return gain > bound and gain > bound + rounded(system, state, stage, dt) / most
+
+
+@part
+def rounded(system, state, stage, dt):
+    """Return what rounding of places and ways, to d, stores in segments and bends [J]: sum k d^2.
+
+    Of a segment stretched by s it makes up k s d, which is more than `most` of its energy, k s^2 / 2, by
+    no more than k d^2 / (2 most), whatever s.
+    """
+    size, sums = 0.0, 0.0
+    for i in range(stage.x.shape[1]):
+        for k in range(3):
+            size = max(size, abs(stage.x[k, i]) + dt * abs(stage.v[k, i]))
+    for j in range(state.stiffness.shape[0]):
+        sums += state.stiffness[j] if state.stiffness[j] < math.inf else 0.0
+    if has_bending(system):
+        for i in range(1, state.bending_stiffness.shape[0] - 1):
+            length = min(state.rest_length[i - 1], state.rest_length[i])
+            if state.bending_stiffness[i] > 0.0 and length > 0.0:
+                sums += state.bending_stiffness[i] / (length * length)
+    return sums * (16.0 * EPSILON * size) ** 2
 
 
 @part

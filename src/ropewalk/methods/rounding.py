@@ -97,9 +97,8 @@ def rounding(system, state, stage):
 @part
 def rounding_at_last(system, state, stage, c2):
     """Return what rounding besides leaves, which is asked for where a solution does not come [N]."""
-    left = motion_rounding(
-        stage.v, stage.v_known, state.mass, stage.saddle.free, state.damping_vector, c2
-    )
+    free, vector, axial = stage.saddle.free, state.damping_vector, state.damping_axial
+    left = motion_rounding(stage.v, stage.v_known, state.mass, free, vector, axial, c2)
     if has_bending(system):
         left += bending_friction_rounding(
             stage.x, stage.v, state.rest_length, state.bending_damping
@@ -108,8 +107,8 @@ def rounding_at_last(system, state, stage, c2):
 
 
 @kernel
-def motion_rounding(v, known, mass, free, damping, c2):
-    """Return what rounding of the speeds leaves of inertia and vector friction that cancel [N].
+def motion_rounding(v, known, mass, free, vector, axial, c2):
+    """Return what rounding of the speeds leaves of inertia and friction that cancel [N].
 
     It is all that is left of a rope that coasts: the report's scale is then next to nothing.
     """
@@ -118,6 +117,6 @@ def motion_rounding(v, known, mass, free, damping, c2):
         vk, known_k = v[k], known[k]
         for i in range(mass.shape[0]):
             left = max(left, free[i] * mass[i] * max(abs(vk[i]), abs(known_k[i])))
-        for j in range(damping.shape[0]):
-            rubs = max(rubs, damping[j] * max(abs(vk[j]), abs(vk[j + 1])))
+        for j in range(vector.shape[0]):
+            rubs = max(rubs, (vector[j] + axial[j]) * max(abs(vk[j]), abs(vk[j + 1])))
     return 16.0 * EPSILON * (left / c2 + rubs)
