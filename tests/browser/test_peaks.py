@@ -73,7 +73,7 @@ def test_of_many_anchors_the_largest_have_numbers(open_window: Open, serve: Serv
     held = [Anchor(name=f"a{node}", node=node) for node in range(0, 41, 4)]  # 11 of like forces
     window = open_window(serve(Session(scene.replace(anchors=held))).address).ready()
     assert window.tell(type="step", count=2000)
-    window.settled()
+    window.settled(anew=False)
     words = window.page.locator("#crowd")
     large = window.ask("r.viewport.marks.arrowed.size")
     assert 8 < large < 11  # one at an end holds less than half of the largest
@@ -87,5 +87,5 @@ def test_of_many_anchors_the_largest_have_numbers(open_window: Open, serve: Serv
     window.page.mouse.move(*window.screen(4 * without))
     window.until("r.viewport.marks.numbered.size === 9")
     assert window.ask(f"r.viewport.marks.numbered.has('0 {without}')")
-    window.settled()
+    window.settled(anew=False)
     assert words.inner_text() == said  # what is pointed at is not counted

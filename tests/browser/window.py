@@ -127,9 +127,11 @@ class Window:
             self.page.mouse.up()
         raise AssertionError(f"no hand on node {node}\n{self.situation()}")
 
-    def settled(self) -> None:
-        """Wait until what is drawn is the newest frame, unmoving."""
-        self.caught_up()
+    def settled(self, *, anew: bool = True) -> None:
+        """Wait until what is drawn is the newest frame, unmoving. `anew`: one that is made for that, in
+        which no time has passed, so that no peak is seen."""
+        if anew:
+            self.caught_up()
         still = self.page.evaluate(
             """() => new Promise((done) => {
                 let [last, same, frames] = [-1, 0, 0];
