@@ -49,6 +49,20 @@ def test_it_can_be_read() -> None:
     assert len(areas) == len(set(areas)) > 10
 
 
+def without_area(text: str) -> list[str]:
+    """Return the lines under `### Added` that stand above its first area."""
+    added = text.partition("### Added\n")[2].partition("\n#")[0]
+    return [line for line in added.splitlines() if line]
+
+
+def test_every_line_is_under_its_area() -> None:
+    assert without_area(TEXT) == []
+
+
+def test_a_line_without_an_area_is_found() -> None:
+    assert without_area("### Added\n\n* A thing.\n\n#### Area\n\n* Another.\n") == ["* A thing."]
+
+
 def test_links_lead_somewhere() -> None:
     assert len(LINK.findall(TEXT)) > 60
     assert dead_links(TEXT) == []
