@@ -94,6 +94,59 @@ def test_each_breach_is_seen(line: str, complaint: str) -> None:
     assert faults(f"def f(a):\n    {line}") == set()
 
 
+#: What goes into kernels, and is kept on disk with them alone.
+INTO_KERNELS = {"part", "small", "apart"}
+#: A few numbers each, compiled in a second or two.
+COMPILED_AGAIN = {
+    "analysis/near_starts.py: along_surface",
+    "analysis/near_starts.py: closing",
+    "analysis/near_starts.py: squeezed",
+    "laws/obstacle_places.py: rotated",
+    "lowering/touching.py: closing",
+}
+
+
+def into_kernels() -> set[tuple[str, str]]:
+    """Return module and name of all that has no machine code of its own on disk."""
+    return {
+        ("ropewalk." + name_of(path).removesuffix(".py").replace("/", "."), function.name)
+        for path in KERNEL_FILES
+        for function in kernels(ast.parse(path.read_text(encoding="utf-8")))
+        if INTO_KERNELS & {getattr(one, "id", "") for one in function.decorator_list}
+    }
+
+
+def compiled_again(source: str, there: set[tuple[str, str]]) -> set[str]:
+    """Return what of `there` a module calls that is no kernel's."""
+    tree = ast.parse(source)
+    known = {
+        one.name
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ImportFrom)
+        for one in node.names
+        if (node.module, one.name) in there
+    }
+    return known & {called(node) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+
+
+def test_python_calls_only_kernels_that_are_kept_on_disk() -> None:
+    """A part that Python called took half a minute to compile in every process."""
+    there = into_kernels()
+    found = {
+        f"{name_of(path)}: {name}"
+        for path in SOURCES
+        if path not in KERNEL_FILES
+        for name in compiled_again(path.read_text(encoding="utf-8"), there)
+    }
+    assert found == COMPILED_AGAIN
+
+
+def test_a_part_that_python_calls_is_seen() -> None:
+    line = "from ropewalk.methods.errors import set_zero"
+    assert compiled_again(f"{line}\nset_zero(1)", into_kernels()) == {"set_zero"}
+    assert compiled_again(line, into_kernels()) == set()
+
+
 def test_no_source_asks_for_fast_math() -> None:
     flags = [
         f"{name_of(path)}:{node.value.lineno}"

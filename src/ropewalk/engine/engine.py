@@ -34,7 +34,6 @@ from ropewalk.methods.controller import (
     SHORTEST,
     make_control,
 )
-from ropewalk.methods.errors import set_zero
 from ropewalk.methods.loop import prepare, prepare_links
 from ropewalk.methods.recording import Recording
 from ropewalk.methods.registry import METHODS
@@ -220,9 +219,12 @@ class Engine:
         else:
             prepare(self.system, self.state)
 
-    def count_errors(self) -> None:
-        """Count errors of the energy from the present state on."""
-        set_zero(self.system, self.state, make_look(self.state), self.ledger)
+    def count_errors(self, time: float) -> None:
+        """Count errors of the energy, and extremes, from the present state of a `time` [s] on.
+
+        As at the very start: that kernel is compiled already, and no other is for this alone.
+        """
+        begin_interval(self.system, self.state, make_look(self.state), time, self.ledger)
 
     def _set_balance(self) -> None:
         """Write the energy at the start, from which gains count, and what of it may turn into motion."""

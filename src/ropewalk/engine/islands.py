@@ -222,11 +222,11 @@ class Islands:
                 to[:] = numbers[first[k] : first[k] + to.size]
                 first[k] += to.size
 
-    def count_errors(self) -> None:
-        """Count errors of the energies from the present state on."""
+    def count_errors(self, time: float) -> None:
+        """Count errors of the energies, and extremes, from the present state of a `time` [s] on."""
         self._spread()
         for engine in self.engines:
-            engine.count_errors()
+            engine.count_errors(time)
         self.show_peaks()
 
     def show_peaks(self) -> None:

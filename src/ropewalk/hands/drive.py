@@ -78,8 +78,8 @@ class Driven:
         self._forget_break()
 
     def count_errors(self) -> None:
-        """Count errors of the energy from the present state on."""
-        self._engine.count_errors()
+        """Count errors of the energy, and extremes, from the present state on."""
+        self._engine.count_errors(self.time)
 
     @property
     def bodies(self) -> Bodies:
