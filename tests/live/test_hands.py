@@ -88,7 +88,7 @@ def test_a_hand_does_no_work_unseen() -> None:
     session.advance(18_500)
     simulation = session.main.simulation
     block = simulation.recording().recording
-    _, put_in, error = session.main.books(float(block.energy[0].sum()), block.work[0])
+    _, put_in, error = session.main.books(block)
     assert simulation.arrays.work.applied.sum() > 1.0
     assert put_in > 1.0
     assert abs(error) < 0.02 * put_in

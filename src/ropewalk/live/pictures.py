@@ -84,7 +84,7 @@ def picture(
     live = (state.stiffness > 0.0) & (state.rest_length >= 0.0)
     tension = np.where(live, recording.tension[0], 0.0)
     energy = recording.energy[0]
-    lost, put_in, error = track.books(float(energy.sum()), recording.work[0])
+    lost, put_in, error = track.books(recording)
     heights = positions @ np.array(track.scene.up)
     now = Seen.instant(tension, speed, heights, recording.reaction[0])
     seen = track.shown.widened(now, live)

@@ -8,10 +8,10 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import Picture, Shape, turns_of
+from ropewalk.live.losses import losses_and_gifts
 from ropewalk.live.recorded_touch import NAMES as TOUCHED
 from ropewalk.live.recorded_touch import RecordedTouch
 from ropewalk.live.seen import Seen
-from ropewalk.live.track import losses_and_gifts
 from ropewalk.lowering.masses import line, masses
 from ropewalk.record.beyond import until_torn
 from ropewalk.record.extremes import had_rope
@@ -73,7 +73,7 @@ class Recorded:
         made = Recorded(self.result)
         made.past = self.past
         made.first_energy, made._first_gravity = self.first_energy, self._first_gravity
-        made.touched.before = self.touched.before
+        made.touched.before, made.touched.driven = self.touched.before, self.touched.driven
         return made
 
     def follow(self, before: Recorded) -> None:
@@ -120,7 +120,8 @@ class Recorded:
         result = self.result
         positions, velocities = data["positions"][row], data["velocities"][row]
         energy, work = data["energy"][row], data["work"][row]
-        losses, gifts = losses_and_gifts(work, result.layout.bends, result.layout.more)
+        driven, layout = self.touched.driven_at(data, row), result.layout
+        losses, gifts = losses_and_gifts(work, layout.bends, layout.more, driven)
         total = float(energy.sum())
         heights = positions @ np.array(result.scene.up)
         tension = data["tension"][row]

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
+from ropewalk.laws.wheel_rows import RECORDED
+from ropewalk.live.losses import driven_work
 from ropewalk.live.touch import NOTHING, Room, Touch, Wraps, room_of, touch_of, wound_on
 from ropewalk.lowering import Model
 from ropewalk.record.books import told
@@ -37,6 +40,8 @@ class RecordedTouch:
         self.result = result
         #: What friction of each surface has done before this part [J].
         self.before = dict.fromkeys(result.layout.surfaces, 0.0)
+        self.driven = 0.0  # what obstacles' drives have done before this part [J]
+        self._driven_first: float | None = None  # what the books of its first frame have of that
         least = max(_EVERY, _PER_NODE * result.layout.nodes)
         self.every = min(max(1, math.floor(least / result.plan.frame_interval + 1e-9)), piece)
         self._lengths = [rope.segment_length for rope in result.scene.ropes]
@@ -107,7 +112,25 @@ class RecordedTouch:
         work = self._rubbed(books).tolist()
         return dict(zip(self.result.layout.surfaces, work, strict=True))
 
+    def driven_at(self, data: Mapping[str, Floats], row: int) -> float:
+        """Return what obstacles' drives have done until a frame [J], that row of `data`; 0 where unknown."""
+        if CONTACT_WORK not in data or not self.result.facts.ledger:
+            return self.driven
+        if self._driven_first is None:
+            self._driven_first = self._driven(self._frame(0), 0)
+        return self.driven + self._driven(data, row) - self._driven_first
+
+    def _driven(self, data: Mapping[str, Floats], row: int) -> float:
+        wheels = data[PULLEYS][row] if PULLEYS in data else np.zeros((0, len(RECORDED)))
+        return driven_work(data[CONTACT_WORK][row, : len(self.result.scene.obstacles)], wheels)
+
+    def _frame(self, frame: int) -> dict[str, Floats]:
+        """Return what books and wheels there are of a frame, as one row."""
+        there = [name for name in (CONTACT_WORK, PULLEYS) if name in self.result.source.names]
+        return {name: self.result.source.read(name, frame, frame + 1) for name in there}
+
     def follow(self, before: RecordedTouch, frame: int) -> None:
-        """Count friction's work on from a frame of a part that this one goes on from."""
+        """Count works of friction and drives on from a frame of a part that this one goes on from."""
+        self.driven = before.driven_at(before._frame(frame), 0)
         done = before.rubbed_until(frame)
         self.before |= {name: work for name, work in done.items() if name in self.before}

@@ -13,7 +13,6 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
 from ropewalk.laws.ledger import wound_energy
-from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.live import edits
 from ropewalk.live.carry import carry_over
 from ropewalk.live.changes import same
@@ -21,6 +20,7 @@ from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.gaps import Parted, gaps, located, unknown
 from ropewalk.live.hands import CONTROL, Hands, held_around
+from ropewalk.live.losses import losses_and_gifts
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.live.touch import Rubbed
@@ -28,14 +28,13 @@ from ropewalk.live.wound_ropes import WHILE_WOUND, WOUND_FIXED, is_wound
 from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.methods.partings import time_of_news
-from ropewalk.methods.recording import CONSERVATIVE, bends, work_names
+from ropewalk.methods.recording import Recording, bends
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.simulation import Simulation, Snapshot
 from ropewalk.simulation.block import Block
 from ropewalk.statics import NoRest
 
-LOSSES = ("friction", *(law.name for law in NODE_LAWS))
 # What would break the lengths of rigid links, or what they do not have.
 RIGID_FIXED = {"spring_constant", "EA", "length", "segments", "tension_only"}
 # Names of one and the same number.
@@ -316,12 +315,12 @@ class Track:
 
     # -- books --------------------------------------------------------------------------
 
-    def books(self, energy: float, work: Floats) -> tuple[float, float, float]:
-        """Return lost, put in, and the method's error [J], of total energy and work by law and anchor."""
-        losses, gifts = losses_and_gifts(
-            work, bends(self.simulation.arrays), self.simulation.layout.more
-        )
+    def books(self, now: Recording) -> tuple[float, float, float]:
+        """Return lost, put in, and the method's error [J], from what is recorded of the present frame."""
+        more, driven = self.simulation.layout.more, self.rubbed.driven_until(now)
+        losses, gifts = losses_and_gifts(now.work[0], bends(self.simulation.arrays), more, driven)
         gifts += self.edited
+        energy = float(now.energy[0].sum())
         return -losses, gifts, energy - self.first_energy - losses - gifts
 
     def save(self) -> Saved:
@@ -378,14 +377,6 @@ class Track:
         for name, value in changes.items():
             made.set(name, value)
         return made
-
-
-def losses_and_gifts(work: Floats, bending: bool, more: tuple[str, ...]) -> tuple[float, float]:
-    """Return the work [J] of what takes energy out, and of all else but springs and weight."""
-    names = work_names(bending, more)
-    losses = float(sum(work[i] for i, name in enumerate(names) if name in LOSSES))
-    kept = float(sum(work[i] for i, name in enumerate(names) if name in CONSERVATIVE))
-    return losses, float(work.sum()) - losses - kept
 
 
 def planned(scene: Scene, plan: Plan) -> Scene:
