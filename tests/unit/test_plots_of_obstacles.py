@@ -16,6 +16,7 @@ from ropewalk import plots
 from ropewalk.plots.canvas import backdrop
 from ropewalk.plots.contact_forces import coils
 from ropewalk.plots.dimensions import dimensions
+from ropewalk.record.contacts import each_frame, lying
 from ropewalk.record.export import export
 from ropewalk.record.result import Result
 from ropewalk.scene import Cylinder, Obstacle, Plane, Scene, Sphere, Velocity, loads
@@ -78,6 +79,19 @@ def test_a_slipping_coil_follows_eulers_formula(slipping: Result) -> None:
     assert coil.held == pytest.approx(coil.tension, rel=0.05)
     wrong = 0.5 * coil.friction
     assert np.exp(wrong * coil.angle) * coil.tension.min() < 0.5 * coil.tension.max()
+
+
+def test_the_figure_tells_the_slip_that_tables_and_the_view_tell() -> None:
+    """It told exp(mu angle), 16.86 where the view said 16.4: a wrap that goes along its drum slips before."""
+    scene = rw.preset("capstan")
+    result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.05)))
+    last = result.frames - 1
+    (coil,), ((_, contacts),) = coils(result, last), each_frame(result, [last])
+    (wrap,) = lying(result.scene, result.layout, contacts, result.tension[last])
+    assert coil.at_slip == pytest.approx(wrap.at_slip, rel=1e-12)
+    assert coil.at_slip < 0.999 * math.exp(coil.friction * coil.angle)
+    notes = " ".join(" ".join(text.get_text().split()) for text in plots.contact(result).texts)
+    assert f"slips at {wrap.at_slip:.4g} as it lies" in notes
 
 
 def test_the_figure_draws_what_was_recorded(slipping: Result) -> None:

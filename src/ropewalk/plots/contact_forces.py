@@ -45,6 +45,7 @@ class Coil:
     first: int  # node of the rope
     turned: Floats  # (k + 1,) angle round the bar up to each segment from the one before the wrap on [rad]
     tension: Floats  # (k + 1,) of these segments [N]
+    at_slip: float  # ratio of tensions at which it slips as it lies, see `Contacts.at_slip` [1]
 
     @property
     def angle(self) -> float:
@@ -84,7 +85,8 @@ def coils(result: Result, frame: int) -> list[Coil]:
                     along = pull[first - 1 : last + 1]
                     mu = body.friction_with(result.scene.rope_named(span.name))
                     number = int(first) - span.spare_start
-                    found.append(Coil(span.name, body.name, mu, number, turned, along))
+                    slip = contacts.at_slip(mu, rows[(nodes >= first) & (nodes <= last)])
+                    found.append(Coil(span.name, body.name, mu, number, turned, along, slip))
     ropes = [span.name for span in result.layout.ropes]
     return sorted(found, key=lambda coil: (ropes.index(coil.rope), coil.first))
 
@@ -160,9 +162,9 @@ def _told(coil: Coil, on_ropes: bool) -> str:
     about = f"{coil.rope} turns {np.degrees(coil.angle):.4g} degrees round {coil.obstacle}"
     if low <= 0.0:
         return f"{about}; its slack end carries nothing."
-    most = float(np.exp(coil.friction * coil.angle))
+    most = coil.at_slip
     told = f"{about}: tension ratio {high / low:.4g}"
-    told += f"; without weight it slips at {most:.4g} (friction {coil.friction:g})"
+    told += f"; without weight it slips at {most:.4g} as it lies (friction {coil.friction:g})"
     return (
         f"{told}; ropes that lie on it hold the rest."
         if on_ropes and high > most * low
