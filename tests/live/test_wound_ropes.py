@@ -65,7 +65,7 @@ def wound(scene: Scene, time: float = 0.35) -> Session:
 def books(session: Session) -> float:
     """Return what the method has lost or made [J]."""
     one = session.main.frame().recording
-    return session.main.books(float(one.energy[0].sum()), one.work[0])[2]
+    return session.main.books(one)[2]
 
 
 def out(session: Session) -> float:
