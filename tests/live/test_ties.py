@@ -100,8 +100,7 @@ def test_the_work_of_the_hands_is_booked() -> None:
     """The error of the energy stays that of a run that nobody touches."""
 
     def error(session: Session) -> float:
-        work = session.main.simulation.recording().recording.work[0]
-        return abs(session.main.books(session.main.energy, work)[2])
+        return abs(session.main.books(session.main.simulation.recording().recording)[2])
 
     session, twin = Session(two()), Session(two())
     assert tie(session) == ""
