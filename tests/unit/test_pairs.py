@@ -17,6 +17,7 @@ from ropewalk.laws.pairs.pair_tangent import couple_pairs
 from ropewalk.laws.pairs.search import list_near
 from ropewalk.laws.pairs.table import (
     BRAKE,
+    CLOSES,
     CONTACTS,
     LAYER,
     MORE,
@@ -188,8 +189,11 @@ def orders(network: Network, pairs: Ints, count: int) -> bool:
     return bool(order_groups(network))
 
 
-def brake_within_skin(system: System, state: State) -> int:
-    """Give every contact a drag, and a depth of half its skin; return how many of them close."""
+def brake_within_skin(system: System, state: State, follows: float) -> int:
+    """Give every contact a depth of half its skin, and a drag; return how many of them close.
+
+    It goes with how fast they close, for `follows` [m/s] as it is, or, with 0, does not.
+    """
     memory, table = state.memory.contact, system.node.contact
     closing = 0
     for row in range(int(memory.tally[CONTACTS])):
@@ -197,22 +201,22 @@ def brake_within_skin(system: System, state: State) -> int:
         size, grip = table.radius[i] + table.radius[j], memory.grip[row]
         depth = depth_at(state.x, memory, row, i, j, size)
         grip[MORE] += 0.5 * LAYER * size - depth
-        grip[BRAKE] = 50.0
+        grip[BRAKE], grip[CLOSES] = 50.0, follows
         rate = grip[:3] @ np.array(apart(state.v, memory.grip, row, i, j))
         closing += rate < 0.0
     return closing
 
 
-@pytest.mark.parametrize("brakes", [False, True])
+@pytest.mark.parametrize("brakes", [None, 0.0, 0.1])
 @pytest.mark.parametrize(("friction", "pull"), [(0.3, 3.0), (10.0, 0.01), (0.0, 0.0)])
-def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: bool) -> None:
+def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: float | None) -> None:
     """Slipping, sticking and without friction, against central differences; in places and velocities.
 
     As deep as random ropes lie, and within the skin, with the drag of those that close: which rises with the
-    depth, so that what sticks is not symmetric either.
+    depth, so that what sticks is not symmetric either, and may follow how fast they do.
     """
     system, state = pressed_tangle(friction, pull)
-    assert not brakes or brake_within_skin(system, state) > 0
+    assert brakes is None or brake_within_skin(system, state, brakes) > 0
     memory, n = state.memory.contact, state.x.shape[1]
     network = network_of(state, len(memory.pair))
     rows = int(memory.tally[CONTACTS])
@@ -235,7 +239,7 @@ def test_the_tangent_is_the_derivative(friction: float, pull: float, brakes: boo
         assert np.abs(expected).max() > 0.0
         assert np.abs(found - expected).max() < 1e-5 * np.abs(expected).max()
         skew = skew or np.abs(found - found.T).max() > 1e-3 * np.abs(found).max()
-    assert skew == (friction == 0.3 or (brakes and friction > 0.0))
+    assert skew == (friction == 0.3 or (brakes is not None and friction > 0.0))
 
 
 def test_what_ropes_do_to_each_other_adds_up_to_nothing() -> None:

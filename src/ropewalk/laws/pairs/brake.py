@@ -12,9 +12,10 @@ in a step as long as the last, so that in the first part of one that is halved i
 found on the way of a step has none in it; one that turns has its drag anew, as all have in a first step that
 is solved for.
 Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
-drag from the points that it has by then. A step too long to follow how it stops something counts as a hit.
-What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times the
-impulse, or all.
+drag from the points that it has by then; it follows u within the step, so that what is left does not hang on
+how long steps are, and S is less by SHARPER: as little comes back as with the drag of a step's start. A step
+too long to follow how it stops something counts as a hit. What slides as it hits meets the same drag across,
+up to mu times what presses: friction takes mu times the impulse, or all.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.table import (
     APART,
     BRAKE,
+    CLOSES,
     CONTACTS,
     DEEPEST,
     HARD,
@@ -42,6 +44,7 @@ ALL_BUT = 20.0  # [1] the drag's rate times a step that is solved for, at most
 OF_ROOM = 0.2  # [1] S over what a contact may still be pressed, at most
 CLOSEST = 1e-4  # [1] S over the sum of the radii, at least
 SLOW = 2.0 * SOFT  # [1] of the radii's sum: what closes by less in a step is followed
+SHARPER = 1.5  # [1] S over that of a drag that follows u within the step
 LEAST = 1e-300  # [s] not nothing, before the first step
 
 
@@ -95,7 +98,7 @@ def brake_contact(x, v, inverse_mass, table, memory, row, most):
         if table.behind[node] > 0.0:
             light /= 1.0 + light * table.behind[node]
         moves += share_of(grip, row, a) ** 2 * light
-    grip[row, BRAKE] = 0.0
+    grip[row, BRAKE], grip[row, CLOSES] = 0.0, 0.0
     if not (closes > 0.0 and moves > 0.0):
         return 0.0
     rate = min(closes / stop_within(x, grip, row, i, j, table.radius[i] + table.radius[j]), most)
@@ -112,6 +115,10 @@ def brake_again(x, v, inverse_mass, table, memory, dt, all_anew):
     for row in range(memory.tally[CONTACTS]):
         if all_anew or memory.grip[row, BRAKE] == NEW:
             brake_contact(x, v, inverse_mass, table, memory, row, ALL_BUT / dt)
+            if all_anew:
+                i, j = memory.pair[row, 0], memory.pair[row, 1]
+                memory.grip[row, CLOSES] = max(closing(v, memory.grip, row, i, j), 0.0)
+                memory.grip[row, BRAKE] *= SHARPER
 
 
 @deferred()

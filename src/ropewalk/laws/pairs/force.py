@@ -12,7 +12,7 @@ on segment i, and the opposite on j, shared among their nodes as the points and 
 times the depth in a skin of LAYER d, gets as stiff as the rope is across from 2 LAYER d on, and STOP times
 that from 3 to 5 LAYER d: what is thrown against it stops. The damper grows with k_t, so that an impact does
 not bounce back whole. Where what closes meets the drag of `brake` and that is more, it is c, and c_t as long
-as it lasts: else c.
+as it lasts: else c. In `adaptive` the drag follows how fast it closes within the step; c_t does not.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 """
@@ -26,6 +26,7 @@ from ropewalk.laws.hardening import beyond
 from ropewalk.laws.pairs.table import (
     APART,
     BRAKE,
+    CLOSES,
     CONTACTS,
     LAYER,
     NORMAL,
@@ -80,6 +81,19 @@ def drag_of(grip, row, depth, damping, size):
 
 
 @small
+def following(grip, row, depth, rate, damping, size):
+    """Return the drag of what closes at `-rate` [m/s] where it goes with that, and what `drag_of` does.
+
+    The second is what its force grows by with the rate [N s/m].
+    """
+    share, full = min(depth / (LAYER * size), 1.0), -grip[row, BRAKE] * rate / grip[row, CLOSES]
+    drag = full * share
+    if not drag > damping:
+        return damping, damping, 0.0
+    return drag, 2.0 * drag, full / (LAYER * size) if share < 1.0 else 0.0
+
+
+@small
 def pressed(grip, row, u, w, soft, hard, stop, damping, size):
     """Return R_n before it is cut [N], its slope [N/m], and what it loses with the gap's rate [N s/m]."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
@@ -87,6 +101,9 @@ def pressed(grip, row, u, w, soft, hard, stop, damping, size):
     force, slope, _ = squeeze(depth, soft, hard, stop, LAYER * size)
     drag, steep = drag_of(grip, row, depth, damping, size)
     if rate < 0.0:
+        if grip[row, CLOSES] > 0.0:
+            drag, loses, steep = following(grip, row, depth, rate, damping, size)
+            return force - drag * rate, slope - steep * rate, loses
         return force - drag * rate, slope - steep * rate, drag
     return force - damping * rate, slope, damping
 

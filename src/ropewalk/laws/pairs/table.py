@@ -23,7 +23,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
 # this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
-# and MORE in the step that has led here [m].
+# MORE in the step that has led here [m], and how fast it closed as the step began, where BRAKE goes with that
+# within the step, else 0 [m/s].
 (
     NORMAL,
     OWN,
@@ -40,6 +41,7 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     BRAKE,
     LEFT,
     WAS,
+    CLOSES,
 ) = (
     0,
     3,
@@ -56,9 +58,10 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     23,
     24,
     25,
+    26,
 )
 NEW = -1.0  # in BRAKE: not known yet
-WIDTH = 26
+WIDTH = 27
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED, SETTLES = range(10)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
