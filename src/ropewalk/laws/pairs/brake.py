@@ -13,9 +13,10 @@ found on the way of a step has none in it; one that turns has its drag anew, as 
 is solved for.
 Where the method shortens steps for what they hit, ALL_BUT is over that very step, and each contact has its
 drag from the points that it has by then; it follows u within the step, so that what is left does not hang on
-how long steps are, and S is less by SHARPER: as little comes back as with the drag of a step's start. A step
-too long to follow how it stops something counts as a hit. What slides as it hits meets the same drag across,
-up to mu times what presses: friction takes mu times the impulse, or all.
+how long steps are, and S is less by SHARPER: as little comes back as with the drag of a step's start, and its
+rate is that much more at most. A step too long to follow how it stops something counts as a hit.
+What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times the
+impulse, or all.
 """
 
 from __future__ import annotations
