@@ -164,7 +164,7 @@ def caught(**more: object) -> rw.Result:
     return rw.simulate(Scene(ropes=[rope], anchors=[Anchor(node=0)], run=run))
 
 
-def test_a_peak_before_which_energy_was_lost_says_how_much_it_is_too_low() -> None:
+def test_a_peak_in_whose_rise_energy_was_lost_says_that_it_may_be_too_low() -> None:
     """Implicit Euler takes a part of the fall. The twin: steps that lose a thousandth of it."""
     good = caught().table
     assert "about the largest tension" not in good
@@ -175,7 +175,21 @@ def test_a_peak_before_which_energy_was_lost_says_how_much_it_is_too_low() -> No
     for step in (1 / 30, 0.01, 0.002):
         table = caught(method="implicit-euler", time_step=step).table
         note = table["about the largest tension"]
-        low, most = (float(found) for found in re.findall(r"([\d.]+) %", note))
+        told = float(re.findall(r"some ([\d.]+) %", note)[0])
         missing = 100.0 * (1.0 - table["largest tension [N]"] / right)
-        assert 0.8 * low < missing < most, note
+        assert 0.8 * told < missing < 2.0 * told, note
         assert missing > 3.0
+
+
+def test_without_weight_a_string_that_loses_its_motion_is_told() -> None:
+    """89 % of it, by rk4 in long steps, as with weight."""
+    line = Material(EA=300.0, mass_per_length=0.1)
+    plucks = [Kick(node=k, velocity=(3.0 * (-1) ** k, 0.0, 0.0)) for k in range(1, 20)]
+    rope = Rope(
+        segments=20, length=2.0, made_of=line, shape=Straight(end=(2.02, 0, 0)), kicks=plucks
+    )
+    ends = [Anchor(node=0), Anchor(node=-1)]
+    run = RunSettings(method="rk4", duration=2.0)
+    result = rw.simulate(Scene(ropes=[rope], anchors=ends, gravity=(0, 0, 0), run=run))
+    assert result.table["largest energy error, share of the energy turned over [%]"] > 5.0
+    assert "are in no law's work" in result.table["about the energy"]

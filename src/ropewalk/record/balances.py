@@ -102,8 +102,8 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
         share: the largest error, of the energy turned over [%].
 
     An explicit run of an undamped rope may err by `MOST` of weight times length. Where there is friction,
-    air, ground or a limiter, or steps are implicit, by `TURNED` of the energy turned over: what those take
-    hides a part of what steps make up.
+    air, ground or a limiter, or no weight, or steps are implicit, by `TURNED` of the energy turned over: what
+    those take hides a part of what steps make up.
     """
     scene, plan = result.scene, result.plan
     error = error[np.isfinite(error)]
@@ -112,8 +112,8 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     if plan.method not in METHODS or not error.size:
         return ""
     worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
-    if not METHODS[plan.method].implicit and not is_damped(scene):
-        return _made_up(plan, worst, scale) if abs(worst) > MOST * scale > 0.0 else ""
+    if not METHODS[plan.method].implicit and not is_damped(scene) and scale > 0.0:
+        return _made_up(plan, worst, scale) if abs(worst) > MOST * scale else ""
     if not share > TURNED or abs(worst) <= _NOTHING * scale:
         return ""
     steps = f"steps of {1e3 * plan.dt:.3g} ms"

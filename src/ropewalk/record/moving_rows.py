@@ -46,7 +46,7 @@ class SlideMotion(NamedTuple):
 
 def moving_rows(result: Result) -> dict[str, Any]:
     """Return the rows of pulleys, other obstacles and slides; nothing where there are none."""
-    return _rates(result) | _of_bodies(result) | _of_slides(result)
+    return _rates(result) | _of_axles(result) | _of_slides(result)
 
 
 def slide_motion(result: Result, name: str) -> SlideMotion:
@@ -97,10 +97,13 @@ def ran_off_at(result: Result, name: str) -> float:
 
 def axle_loads(result: Result, frames: range) -> Floats:
     """Return the force of the ropes on each pulley, (frames, pulleys) [N]: see `body_loads`."""
+    if len(result.scene.obstacles) == 1 and result.scene.contact is None:  # all forces are its own
+        force = result.read("contact_force", frames.start, frames.stop).sum(axis=1)
+        return np.asarray(np.linalg.norm(force, axis=1)[:, None])
     return body_loads(result, frames, result.layout.pulleys)
 
 
-def body_loads(result: Result, frames: range, names: Sequence[str]) -> Floats:
+def body_loads(result: Result, frames: Sequence[int], names: Sequence[str]) -> Floats:
     """Return the force of the ropes on each obstacle named, (frames, names) [N]; without its own weight.
 
     Friction that cannot be told, where a rope touches another on it, is left out.
@@ -109,36 +112,26 @@ def body_loads(result: Result, frames: range, names: Sequence[str]) -> Floats:
 
     bodies = [body.name for body in result.scene.obstacles]
     where = [bodies.index(name) for name in names]
-    if len(bodies) == 1 and result.scene.contact is None:  # then all contact forces are its own
-        force = result.read("contact_force", frames.start, frames.stop).sum(axis=1)
-        return np.asarray(np.linalg.norm(force, axis=1)[:, None])
+    row = {frame: k for k, frame in enumerate(frames)}
     found = np.zeros((len(frames), len(where), 3))
     for frame, contacts in each_frame(result, frames, where):
         forces = contacts.push[:, None] * contacts.normal + np.nan_to_num(contacts.rub)
         for column, o in enumerate(where):
-            found[frame - frames.start, column] = forces[contacts.obstacle == o].sum(axis=0)
+            found[row[frame], column] = forces[contacts.obstacle == o].sum(axis=0)
     return np.asarray(np.linalg.norm(found, axis=2))
 
 
-def _of_bodies(result: Result) -> dict[str, Any]:
-    """Return the largest load on the axle of a pulley, and force on what does not turn freely."""
-    rows = dict[str, Any]()
-    if "contact_force" not in result.source.names:
-        return rows
-    pulleys = result.layout.pulleys
-    others = [one.name for one in result.scene.obstacles if one.name not in pulleys]
-    for title, names, noun, added in (
-        ("load on the axle of a pulley", pulleys, "pulley", "; its own weight is not in it"),
-        ("force on an obstacle", others, "obstacle", "; of all that the ropes press and rub"),
-    ):
-        best, shown = dict[str, tuple[float, str]](), [f"{noun} {name!r}" for name in names]
-        for start, stop in _pieces(result, result.good_frames) if names else ():
-            values = body_loads(result, range(start, stop), names)
-            _keep(best, title, values, shown, result.time[start:stop])
-        if best.get(title, (0.0, ""))[0] > 0.0 or (names and noun == "pulley"):
-            rows |= {f"largest {title} [N]": best[title][0]}
-            rows |= {f"largest {title} at": best[title][1] + added}
-    return rows
+def _of_axles(result: Result) -> dict[str, Any]:
+    """Return the largest load on the axle of a pulley."""
+    names, title = result.layout.pulleys, "largest load on the axle of a pulley"
+    if not names or "contact_force" not in result.source.names:
+        return {}
+    best, shown = dict[str, tuple[float, str]](), [f"pulley {name!r}" for name in names]
+    for start, stop in _pieces(result, result.good_frames):
+        values = axle_loads(result, range(start, stop))
+        _keep(best, title, values, shown, result.time[start:stop])
+    most, at = best[title]
+    return {f"{title} [N]": most, f"{title} at": f"{at}; its own weight is not in it"}
 
 
 def _rates(result: Result) -> dict[str, Any]:

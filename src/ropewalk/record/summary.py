@@ -21,6 +21,7 @@ from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.peak_energy import peak_energy_note
+from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.reach_note import reach_note
 from ropewalk.record.tension_notes import (
     anchor_bears,
@@ -69,6 +70,7 @@ def summary(result: Result) -> dict[str, Any]:
         **_told(result, found),
         **_margins(result, found),
         **moving_rows(result),
+        **pressed_rows(result),
         **(parting_rows(result.partings) if result.scene.parts else {}),
         "largest energy error [J]": _largest(errors),
         **({"largest energy error at": at} if (at := _error_at(result, errors)) else {}),

@@ -1,0 +1,61 @@
+"""The row about the largest force on what stands in the way: an edge, a karabiner, a post."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ropewalk.core.arrays import Floats
+from ropewalk.record.extremes import SEEN
+from ropewalk.record.moving_rows import body_loads
+from ropewalk.record.quantities import OBSTACLE_FORCE
+
+if TYPE_CHECKING:
+    from ropewalk.record.result import Result
+
+_PIECE = 256  # frames that are read at once
+_FRAMES = 24  # of which the contacts are looked at one by one
+_TITLE = "largest force on an obstacle"
+
+
+def pressed_rows(result: Result) -> dict[str, Any]:
+    """Return the largest force of the ropes on one obstacle that does not turn freely; {} without any.
+
+    No body bears more than the sizes of the forces of all nodes add up to. So frames are looked at from the
+    largest such sum on, until the next cannot have more than was found. What a shape as it is drawn presses
+    at the start does not count, as it is no load, unless it is at rest.
+    """
+    scene, pulleys = result.scene, result.layout.pulleys
+    names = [one.name for one in scene.obstacles if one.name not in pulleys]
+    if not names or "contact_force" not in result.source.names:
+        return {}
+    bounds = _bounds(result)
+    if scene.run.start != "at-rest":
+        bounds[:1] = 0.0
+    most, where, seen = 0.0, (0, ""), SEEN
+    for count, frame in enumerate(np.argsort(-bounds, kind="stable").tolist()):
+        if not bounds[frame] > most:
+            break
+        if count == _FRAMES:
+            seen = f"of the {_FRAMES} recorded frames with the largest forces in all"
+            break
+        loads = body_loads(result, [frame], names)[0]
+        if loads.max() > most:
+            most, where = float(loads.max()), (frame, names[int(loads.argmax())])
+    if not most > 0.0:
+        return {}
+    hard = any(rope.rigid for rope in scene.ropes)
+    stop = "; of rigid links it may be momentum over a step" if hard else ""
+    at = f"obstacle {where[1]!r}, t = {result.time[where[0]]:.6g} s, {seen}{stop}"
+    return {f"{_TITLE} [N]": most, f"{_TITLE} at": at}
+
+
+def _bounds(result: Result) -> Floats:
+    """Return the sums of the sizes of obstacles' forces on nodes, (frames,) [N]."""
+    name = OBSTACLE_FORCE if OBSTACLE_FORCE in result.source.names else "contact_force"
+    sums = [
+        np.linalg.norm(result.read(name, first, min(first + _PIECE, result.good_frames)), axis=2)
+        for first in range(0, result.good_frames, _PIECE)
+    ]
+    return np.nan_to_num(np.concatenate([sizes.sum(axis=1) for sizes in sums]))
