@@ -22,9 +22,8 @@ _TITLE = "largest force on an obstacle"
 def pressed_rows(result: Result) -> dict[str, Any]:
     """Return the largest force of the ropes on one obstacle that does not turn freely; {} without any.
 
-    No body bears more than the sizes of the forces of all nodes add up to. So frames are looked at from the
-    largest such sum on, until the next cannot have more than was found. What a shape as it is drawn presses
-    at the start does not count, as it is no load, unless it is at rest.
+    Frames are looked at from the one on that can have most, until the next cannot have more than was found.
+    What a shape as it is drawn presses at the start does not count, as it is no load, unless it is at rest.
     """
     scene, pulleys = result.scene, result.layout.pulleys
     names = [one.name for one in scene.obstacles if one.name not in pulleys]
@@ -52,10 +51,18 @@ def pressed_rows(result: Result) -> dict[str, Any]:
 
 
 def _bounds(result: Result) -> Floats:
-    """Return the sums of the sizes of obstacles' forces on nodes, (frames,) [N]."""
-    name = OBSTACLE_FORCE if OBSTACLE_FORCE in result.source.names else "contact_force"
-    sums = [
-        np.linalg.norm(result.read(name, first, min(first + _PIECE, result.good_frames)), axis=2)
-        for first in range(0, result.good_frames, _PIECE)
-    ]
-    return np.nan_to_num(np.concatenate([sizes.sum(axis=1) for sizes in sums]))
+    """Return what no obstacle bears more than, (frames,) [N]; of one that is alone what it bears.
+
+    The sums of the sizes of forces on nodes, or the size of their sum, where none is of another body or rope.
+    """
+    apart = OBSTACLE_FORCE in result.source.names
+    name = OBSTACLE_FORCE if apart else "contact_force"
+    alone = len(result.scene.obstacles) == 1 and (apart or result.scene.contact is None)
+    found = list[Floats]()
+    for first in range(0, result.good_frames, _PIECE):
+        force = result.read(name, first, min(first + _PIECE, result.good_frames))
+        if alone:
+            found.append(np.linalg.norm(force.sum(axis=1), axis=1))
+        else:
+            found.append(np.linalg.norm(force, axis=2).sum(axis=1))
+    return np.nan_to_num(np.concatenate(found))
