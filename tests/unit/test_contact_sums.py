@@ -93,3 +93,41 @@ def test_in_a_groove_each_side_has_its_own_friction(left: int, right: int, along
     for row in range(2):
         assert np.allclose(sizes[:, row], np.linalg.norm(kept[row], axis=0), rtol=0.01)
     assert last["friction used [1]"].max() <= 1.0 + 1e-9
+
+
+def test_what_an_obstacle_bears_is_told_when_another_rope_has_broken() -> None:
+    """Its places hold no numbers from then on. The twin: the rope on its own."""
+    scene = loads("""
+[run]
+duration = 0.6
+method = "semi-implicit-euler"
+time_step = 0.0008333333333333334
+[[rope]]
+name = "a"
+segments = 10
+length = 0.5
+diameter = 0.01
+made_of = { kind = "material", EA = 50.0, mass_per_length = 0.1, axial_damping = 0.05 }
+shape = { kind = "straight", start = [-0.25, 0, 0.12], end = [0.25, 0, 0.12] }
+[[rope]]
+name = "b"
+segments = 20
+length = 1.0
+diameter = 0.01
+made_of = { kind = "material", EA = 3e4, mass_per_length = 0.05 }
+shape = { kind = "straight", start = [5, 0, 1], end = [6, 0, 1.02] }
+[[anchor]]
+rope = "b"
+node = 0
+[[obstacle]]
+name = "ball"
+kind = "sphere"
+center = [0, 0, 0]
+radius = 0.08
+""")
+    both = rw.simulate(scene, on_failure="return")
+    alone = rw.simulate(scene.model_copy(update={"ropes": scene.ropes[:1], "anchors": ()}))
+    assert both.table["broken ropes"]
+    title = "largest force on an obstacle"
+    assert alone.table[f"{title} [N]"] > 0.1
+    assert both.table[f"{title} [N]"] == pytest.approx(alone.table[f"{title} [N]"], rel=1e-6)

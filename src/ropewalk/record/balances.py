@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 MOST = 0.01  # [1] of weight times length
 TURNED = 5.0  # [%] of the energy turned over: more than that is no ledger
 _NOTHING = 1e-4  # [1] of weight times length: a rope that hardly moves turns over nothing
+_ROUNDING = 1e-12  # [1] of stiffness times length
 _WITH_JUMPS = ("limiter", "winch", "clamps", PARTING)
 
 
@@ -114,7 +115,7 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
     if not METHODS[plan.method].implicit and not is_damped(scene) and scale > 0.0:
         return _made_up(plan, worst, scale) if abs(worst) > MOST * scale else ""
-    if not share > TURNED or abs(worst) <= _NOTHING * scale:
+    if not share > TURNED or abs(worst) <= _hardly_any(scene):
         return ""
     steps = f"steps of {1e3 * plan.dt:.3g} ms"
     if plan.tolerance is not None:
@@ -123,6 +124,16 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
         f"{abs(worst):.3g} J, {percent(share, 3)} of the energy turned over, are in no law's work: some of "
         f"the motion is too fast for {plan.method}'s {steps}. Do not trust works, nor forces and "
         f"places after it; take {shorter_steps(plan)}"
+    )
+
+
+def _hardly_any(scene: Scene) -> float:
+    """Return an energy [J] that is none: of a rope that hardly moves, or, without weight, of rounding."""
+    if scale := weight_times_length(scene):
+        return _NOTHING * scale
+    ropes = (rope for rope in scene.ropes if not rope.rigid)
+    return _ROUNDING * sum(
+        rope.segment_stiffness * rope.segment_length * rope.length_unstretched for rope in ropes
     )
 
 

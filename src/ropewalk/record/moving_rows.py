@@ -98,7 +98,7 @@ def ran_off_at(result: Result, name: str) -> float:
 def axle_loads(result: Result, frames: range) -> Floats:
     """Return the force of the ropes on each pulley, (frames, pulleys) [N]: see `body_loads`."""
     if len(result.scene.obstacles) == 1 and result.scene.contact is None:  # all forces are its own
-        force = result.read("contact_force", frames.start, frames.stop).sum(axis=1)
+        force = np.nan_to_num(result.read("contact_force", frames.start, frames.stop)).sum(axis=1)
         return np.asarray(np.linalg.norm(force, axis=1)[:, None])
     return body_loads(result, frames, result.layout.pulleys)
 

@@ -60,9 +60,10 @@ def _bounds(result: Result) -> Floats:
     alone = len(result.scene.obstacles) == 1 and (apart or result.scene.contact is None)
     found = list[Floats]()
     for first in range(0, result.good_frames, _PIECE):
-        force = result.read(name, first, min(first + _PIECE, result.good_frames))
+        # NaN: of a rope that broke, where others go on
+        force = np.nan_to_num(result.read(name, first, min(first + _PIECE, result.good_frames)))
         if alone:
             found.append(np.linalg.norm(force.sum(axis=1), axis=1))
         else:
             found.append(np.linalg.norm(force, axis=2).sum(axis=1))
-    return np.nan_to_num(np.concatenate(found))
+    return np.concatenate(found)
