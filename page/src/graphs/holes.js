@@ -33,8 +33,8 @@ export function holes(times, values, first, last, apart = []) {
   return found;
 }
 
-/** Mark the samples beside what is missing by dots, and join them by dots where it is little: the eye finds its way, and
- * sees that nothing is known there. @param {uPlot} plot @param {number} index of the series
+/** Mark the samples beside what is missing by dots, and join them by dots where it is little: the eye
+ * finds its way, and sees that nothing is known there. @param {uPlot} plot @param {number} index of the series
  * @param {ArrayLike<number>} apart */
 export function bridge(plot, index, apart) {
   const { ctx, bbox, data, series } = plot;
