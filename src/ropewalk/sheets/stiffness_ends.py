@@ -7,6 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ropewalk.api import equilibrium, simulate
+from ropewalk.lowering import build
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.extremes import extremes, margin
 from ropewalk.scene import Scene, SceneError
@@ -97,11 +98,24 @@ def _variant(title: str, scene: Scene | None, result: Result) -> Variant:
         return Variant(title, why_not="the scene cannot be made with it", failed=True)
     if result.status == "at rest":
         return tried(title, _rest_numbers, scene)
+    return tried(title, lambda made: _numbers(_stepped_as(made, result)), scene)
+
+
+def _stepped_as(scene: Scene, result: Result) -> Scene:
+    """Return the scene with the method of a result, in steps that are as long, or shorter to be stable.
+
+    "auto" of a method that is called by name goes as far as that is stable, which is not accurate enough.
+    """
     plan = result.plan
     run = scene.run.replace(method=plan.method)
-    if run.time_step != "auto" and plan.tolerance is None and not METHODS[plan.method].implicit:
-        run = run.replace(time_step=plan.dt / _faster(result.scene, scene))
-    return tried(title, _numbers, scene.replace(run=run))
+    if plan.tolerance is not None:
+        return scene.replace(run=run)
+    step = plan.dt
+    if run.time_step == "auto":
+        step = min(step, build(scene.replace(run=run)).plan.dt)
+    elif not METHODS[plan.method].implicit:
+        step /= _faster(result.scene, scene)
+    return scene.replace(run=run.replace(time_step=step))
 
 
 def _numbers(scene: Scene) -> dict[str, float]:
