@@ -139,10 +139,11 @@ def test_what_turns_about_what_it_hits_gets_no_energy() -> None:
     """Of ropes that are thrown at random: a contact's points may be elsewhere after a step.
 
     It was pressed far deeper there than its plane had seen, and gave back what nobody had given: up to 0.31
-    of the first energy (of seeds 151 and 210).
+    of the first energy (of seeds 151 and 210). Where its plane hid 3 % of a diameter and its offset as much,
+    0.05 to 0.1 (of seeds 210, 354, 489 and 576), or the run ended (of 317).
     """
     run = 0
-    for seed in (*range(140, 160), *range(180, 215), *range(236, 244)):
+    for seed in (*range(140, 160), *range(180, 215), *range(236, 244), 317, 354, 489, 576):
         try:
             result = rw.simulate(throw(seed))
         except SceneError:  # drawn through each other
@@ -150,11 +151,10 @@ def test_what_turns_about_what_it_hits_gets_no_energy() -> None:
         run += 1
         energy, work = result.energy["total"], result.work["contact"]
         assert result.status == "finished", seed
-        assert (energy - np.minimum.accumulate(energy)).max() < 0.08 * energy[0], seed
-        most = 3e-2 if seed in (210, 240) else 1e-5  # found anew 3 % deeper than it counts
-        assert work.max() < most * energy[0], seed
+        assert (energy - np.minimum.accumulate(energy)).max() < 0.04 * energy[0], seed
+        assert work.max() < 1e-5 * energy[0], seed
         assert result.table["largest balance residual [J]"] < 1e-9 * energy[0], seed
-    assert run > 55
+    assert run > 60
 
 
 @pytest.mark.parametrize("method", ["sdirk2", "rk4"])

@@ -1,8 +1,9 @@
 """What contacts of segments keep from an accepted step to the next.
 
 The friction spring's part P (R' - k_t D), cut to mu R_n: a force, so that what sticks does not creep. One
-keeps its points and its normal as long as they say where the segments are to WRONG of the radii's sum: the
-nearest points of almost parallel segments jump from step to step, and contacts would slip a little in each.
+keeps its points and its normal as long as they say where the segments are to WRONG of the radii's sum, and
+it counts as less deep by no more, with its offset: the nearest points of almost parallel segments jump from
+step to step, and contacts would slip a little in each.
 One that has wandered on to the next segment passes on what it holds. Those that slip get theirs in every
 step, as they will be at its end.
 """
@@ -35,6 +36,7 @@ from ropewalk.laws.pairs.table import (
     GONE,
     LAYER,
     LEFT,
+    MORE,
     NEAR,
     NORMAL,
     OTHER,
@@ -59,6 +61,7 @@ from ropewalk.laws.pairs.table import (
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
+JUST_OVER = 1.0 + 1e-6  # [1] of what a contact may hide, for what was found anew with all of that
 EVEN = 1e-3  # [1] weight of the speeds along segments, over that of what they do not explain
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
 
@@ -78,7 +81,10 @@ def look_for_passes(x, y, memory, table):
 
 @small
 def is_right(y, memory, row, size, distance):
-    """Tell whether points and normal of a contact say how far apart its segments are."""
+    """Tell whether points and normal of a contact say how far apart its segments are.
+
+    Nor may it count as less deep than they are by more than it may when it is found anew, or it would jump.
+    """
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
     u = between(y, i, j, grip[row, OWN], grip[row, OTHER])
     along, square = 0.0, 0.0
@@ -86,6 +92,9 @@ def is_right(y, memory, row, size, distance):
         along += grip[row, NORMAL + k] * u[k]
         square += u[k] * u[k]
     aside = math.sqrt(max(square - along * along, 0.0))
+    counted = max(size + grip[row, MORE] - along, 0.0)
+    if size - distance - counted > JUST_OVER * WRONG * size:
+        return False
     return abs(distance - along) <= WRONG * size and aside <= WRONG * size
 
 
