@@ -13,7 +13,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact import contact_energy, contact_forces, remember_contacts
 from ropewalk.laws.contact_frame import GRIP, PUSH, STIFF
 from ropewalk.laws.contact_tangent import contact_tangent
-from ropewalk.laws.hardening import SKIN, depth_under
+from ropewalk.laws.hardening import SKIN, depth_under, squeezed, stored_under
 from ropewalk.laws.obstacle import Memory, Obstacles
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import build
@@ -127,6 +127,19 @@ def test_what_is_stored_is_the_work_of_pressing(name: str) -> None:
                 for s in (-1.0, 1.0)
             ]
             assert (ends[0] - ends[1]) / 2e-6 == pytest.approx(force[c, i], rel=1e-4, abs=1e-3)
+
+
+@pytest.mark.parametrize("hard", [True, False])
+def test_what_many_nodes_store_is_what_each_does(hard: bool) -> None:
+    table = nodes_at(BODIES["cylinder"]).table
+    assert (table.hard > 0.0).all()
+    if not hard:
+        table = table._replace(hard=np.zeros_like(table.hard))
+    for share in (-9.0, -1.0, 0.3, 1.5, 2.5, 40.0):
+        depth = np.full((1, 5), share * SKIN * D)
+        found = stored_under(table, depth)
+        alone = [[squeezed(table, 0, i, depth[0, i])[2] for i in range(5)]]
+        assert found == pytest.approx(np.array(alone), rel=1e-12, abs=0.0)
 
 
 @pytest.mark.parametrize("force", [1.0, 14.0, 20.0, 30.0, 45.0, 300.0])

@@ -66,6 +66,18 @@ def depth_under(obstacles: Any, force: float) -> Floats:
     return np.where(hard > 0.0, found, force / k)
 
 
+def stored_under(obstacles: Any, depth: Floats) -> Floats:
+    """Return what nodes store that are pressed so deep into obstacles [J], (k, n); see `squeezed`."""
+    k, hard, skin = obstacles.stiffness, obstacles.hard, SKIN * obstacles.diameter
+    soft = np.where(hard > 0.0, np.clip(depth, 0.0, skin), np.maximum(depth, 0.0))
+    curved = np.where(hard > 0.0, np.clip(depth - skin, 0.0, skin), 0.0)
+    straight = np.where(hard > 0.0, np.maximum(depth - 2.0 * skin, 0.0), 0.0)
+    rate = hard / skin
+    found: Floats = 0.5 * k * soft * soft
+    found += (k * skin + (0.5 * k + rate * curved / 6.0) * curved) * curved
+    return found + (k * skin + (k + 0.5 * hard) * skin + 0.5 * (k + hard) * straight) * straight
+
+
 def stiffnesses(
     bodies: Sequence[Obstacle], own: Floats, firm: Floats, most: Floats
 ) -> tuple[Floats, Floats]:

@@ -12,6 +12,7 @@ from ropewalk.laws.contact_frame import DAMP, STIFF
 from ropewalk.laws.pairs.law import memory as found_contacts
 from ropewalk.laws.slides.sliding import memory as place_slides
 from ropewalk.laws.wound_bends import set_all_bends
+from ropewalk.live.carry_books import carry_books
 from ropewalk.live.carry_contacts import carry_contacts
 from ropewalk.live.parameters import refusal
 from ropewalk.live.wound_ropes import carry_winches
@@ -207,6 +208,7 @@ def _carry_memory(old: Simulation, made: Simulation, state: State, source: Float
         if np.array_equal(old.system.node.obstacle.wheel, made.system.node.obstacle.wheel):
             state.memory.obstacle.wheel[...] = old.arrays.memory.obstacle.wheel
         _fit_contacts(old, made, state, whole, nodes)
+        carry_books(old, made, state)
     if old.arrays.inner.shape == state.inner.shape:
         state.inner[...] = old.arrays.inner
     # What a bound held in the last step is shown until the next one, which its own kind of method clears.

@@ -24,6 +24,7 @@ from ropewalk.live.bodies import Spot, Way, spots, ways_of, with_ways
 from ropewalk.live.commands import Command
 from ropewalk.live.frozen import Frozen, scene_now
 from ropewalk.live.gaps import Parted
+from ropewalk.live.recorded_touch import BOOKS_GO_ON
 from ropewalk.live.session import Session
 from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
@@ -296,4 +297,4 @@ def parts(folder: Path) -> list[Path]:
 
 
 def _about(plan: Plan) -> dict[str, Any]:
-    return {**provenance(plan, True, False), "live": True}
+    return {**provenance(plan, True, False), "live": True, BOOKS_GO_ON: True}

@@ -73,7 +73,7 @@ class Recorded:
         made = Recorded(self.result)
         made.past = self.past
         made.first_energy, made._first_gravity = self.first_energy, self._first_gravity
-        made.touched.before, made.touched.driven = self.touched.before, self.touched.driven
+        made.touched.since = self.touched.since
         return made
 
     def follow(self, before: Recorded) -> None:
@@ -120,7 +120,8 @@ class Recorded:
         result = self.result
         positions, velocities = data["positions"][row], data["velocities"][row]
         energy, work = data["energy"][row], data["work"][row]
-        driven, layout = self.touched.driven_at(data, row), result.layout
+        driven, layout = self.touched.works_at(data, row).driven, result.layout
+        driven = 0.0 if np.isnan(driven) else driven
         losses, gifts = losses_and_gifts(work, layout.bends, layout.more, driven)
         total = float(energy.sum())
         heights = positions @ np.array(result.scene.up)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 
@@ -13,7 +14,6 @@ from ropewalk.laws.wheel_rows import RECORDED
 from ropewalk.live.losses import driven_work
 from ropewalk.live.touch import NOTHING, Room, Touch, Wraps, room_of, touch_of, wound_on
 from ropewalk.lowering import Model
-from ropewalk.record.books import told
 from ropewalk.record.contacts import lying, model_of, touching
 from ropewalk.record.quantities import (
     CONTACT_WORK,
@@ -31,6 +31,19 @@ NAMES = (FORCE, OBSTACLE_FORCE, ROPE_CONTACTS, CONTACT_WORK, PULLEYS, "rest_leng
 # longer than all else of a frame.
 _EVERY, _PER_NODE = 0.1, 1e-3
 _RUB = ENTRIES.index("friction")
+#: In the provenance of a session's part: its books go on from those of the part before.
+BOOKS_GO_ON = "contact_books_go_on"
+
+
+class Works(NamedTuple):
+    """What obstacles' drives, and friction of each surface, have done on ropes [J]."""
+
+    driven: float
+    rubbed: Floats  # (k,)
+
+    def less(self, other: Works) -> Works:
+        """Return what more that is than another."""
+        return Works(self.driven - other.driven, self.rubbed - other.rubbed)
 
 
 class RecordedTouch:
@@ -38,10 +51,8 @@ class RecordedTouch:
 
     def __init__(self, result: Result, piece: int) -> None:
         self.result = result
-        #: What friction of each surface has done before this part [J].
-        self.before = dict.fromkeys(result.layout.surfaces, 0.0)
-        self.driven = 0.0  # what obstacles' drives have done before this part [J]
-        self._driven_first: float | None = None  # what the books of its first frame have of that
+        #: What its books have of works that do not count, see `follow`; None: what its first frame has.
+        self.since: Works | None = None
         least = max(_EVERY, _PER_NODE * result.layout.nodes)
         self.every = min(max(1, math.floor(least / result.plan.frame_interval + 1e-9)), piece)
         self._lengths = [rope.segment_length for rope in result.scene.ropes]
@@ -73,8 +84,7 @@ class RecordedTouch:
         force = data.get(OBSTACLE_FORCE, data[FORCE])[row]
         pairs = data[ROPE_CONTACTS][row] if ROPE_CONTACTS in data else None
         wraps = self._wraps(data, row - row % self.every, frame - row % self.every)
-        rubbed = self._rubbed(data[CONTACT_WORK][row] if CONTACT_WORK in data else None)
-        time = float(data["time"][row])
+        time, rubbed = float(data["time"][row]), self.works_at(data, row).rubbed
         return touch_of(room, force, pairs, wraps, time, rubbed)
 
     def _wraps(self, data: dict[str, Floats], row: int, frame: int) -> Wraps:
@@ -99,30 +109,23 @@ class RecordedTouch:
         contacts = touching(table, x, v, push, there, wheels, t, only)
         return Wraps(tuple(lying(scene, layout, contacts, data["tension"][row], only)), t)
 
-    def _rubbed(self, books: Floats | None) -> Floats:
-        before = np.array([self.before[name] for name in self.result.layout.surfaces])
-        if books is None:
-            return np.full(before.shape, np.nan)
-        return before + told(self.result, CONTACT_WORK, books[None])[0, :, _RUB]
-
-    def rubbed_until(self, frame: int) -> dict[str, float]:
-        """Return what friction of each surface has done on the ropes until a frame [J]; NaN where unknown."""
-        there = CONTACT_WORK in self.result.source.names
-        books = self.result.read(CONTACT_WORK, frame, frame + 1)[0] if there else None
-        work = self._rubbed(books).tolist()
-        return dict(zip(self.result.layout.surfaces, work, strict=True))
-
-    def driven_at(self, data: Mapping[str, Floats], row: int) -> float:
-        """Return what obstacles' drives have done until a frame [J], that row of `data`; 0 where unknown."""
+    def works_at(self, data: Mapping[str, Floats], row: int) -> Works:
+        """Return what drives and friction have done until a frame, that row of `data`; NaN where unknown."""
         if CONTACT_WORK not in data or not self.result.facts.ledger:
-            return self.driven
-        if self._driven_first is None:
-            self._driven_first = self._driven(self._frame(0), 0)
-        return self.driven + self._driven(data, row) - self._driven_first
+            return Works(math.nan, np.full(len(self.result.layout.surfaces), math.nan))
+        if self.since is None:
+            self.since = self._noted(self._frame(0), 0)
+        return self._noted(data, row).less(self.since)
 
-    def _driven(self, data: Mapping[str, Floats], row: int) -> float:
+    def works_until(self, frame: int) -> Works:
+        """Return what drives and friction have done until a frame."""
+        return self.works_at(self._frame(frame), 0)
+
+    def _noted(self, data: Mapping[str, Floats], row: int) -> Works:
+        """Return what the books have of a frame."""
+        books = data[CONTACT_WORK][row]
         wheels = data[PULLEYS][row] if PULLEYS in data else np.zeros((0, len(RECORDED)))
-        return driven_work(data[CONTACT_WORK][row, : len(self.result.scene.obstacles)], wheels)
+        return Works(driven_work(books[: len(self.result.scene.obstacles)], wheels), books[:, _RUB])
 
     def _frame(self, frame: int) -> dict[str, Floats]:
         """Return what books and wheels there are of a frame, as one row."""
@@ -130,7 +133,13 @@ class RecordedTouch:
         return {name: self.result.source.read(name, frame, frame + 1) for name in there}
 
     def follow(self, before: RecordedTouch, frame: int) -> None:
-        """Count works of friction and drives on from a frame of a part that this one goes on from."""
-        self.driven = before.driven_at(before._frame(frame), 0)
-        done = before.rubbed_until(frame)
-        self.before |= {name: work for name, work in done.items() if name in self.before}
+        """Count works on from a frame of a part that this one goes on from.
+
+        Its books go on from those of that part; in folders of older versions they begin anew.
+        """
+        first, done = self._frame(0), before.works_until(frame)
+        same = self.result.layout.surfaces == before.result.layout.surfaces
+        if CONTACT_WORK not in first or before.since is None or not same:
+            return
+        go_on = self.result.facts.provenance.get(BOOKS_GO_ON)
+        self.since = before.since if go_on else self._noted(first, 0).less(done)

@@ -11,9 +11,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
-from ropewalk.live.losses import driven_work
 from ropewalk.lowering import Layout
-from ropewalk.methods.recording import Recording
 from ropewalk.record.contacts import Lying, lying, touching
 from ropewalk.record.quantities import has_rope
 from ropewalk.scene import Scene
@@ -183,41 +181,15 @@ def touch_of(
 
 
 class Rubbed:
-    """What friction of each surface, and obstacles' drives, have done on ropes since a session began [J].
-
-    The books of contacts begin anew with every edit; this goes on.
-    """
+    """What friction of each surface has done on ropes since a session began [J]."""
 
     def __init__(self, simulation: Simulation) -> None:
-        self.before = {name: -work for name, work in friction_works(simulation).items()}
-        self._obstacles = len(simulation.scene.obstacles)
-        self.driven = -self._driven(simulation.recording().recording)
-
-    def gone_over(self, old: Simulation, new: Simulation) -> Rubbed:
-        """Return it for a simulation that takes the place of an old one."""
-        made = Rubbed(new)
-        works = friction_works(old)
-        for name in made.before:
-            made.before[name] += self.before.get(name, 0.0) + works.get(name, 0.0)
-        made.driven += self.driven_until(old.recording().recording)
-        return made
-
-    def driven_until(self, now: Recording) -> float:
-        """Return what drives have done, from what is recorded of the present frame; 0 without a ledger."""
-        return self.driven + self._driven(now)
-
-    def _driven(self, now: Recording) -> float:
-        return driven_work(now.books[0, : self._obstacles], now.wheel[0])
+        """Begin now."""
+        self._before = simulation.recording().recording.books[0, :, _RUB].copy()
 
     def until(self, simulation: Simulation, books: Floats) -> Floats:
         """Return it by surface, (k,), from the present books; NaN without a ledger."""
-        names = simulation.layout.surfaces
+        count = len(simulation.layout.surfaces)
         if not simulation.ledger:
-            return np.full(len(names), np.nan)
-        return books[: len(names), _RUB] + [self.before.get(name, 0.0) for name in names]
-
-
-def friction_works(simulation: Simulation) -> dict[str, float]:
-    """Return what friction of each surface has done since its books began [J]."""
-    books = simulation.recording().recording.books[0]
-    return dict(zip(simulation.layout.surfaces, books[:, _RUB].tolist(), strict=False))
+            return np.full(count, np.nan)
+        return books[:count, _RUB] - self._before[:count]

@@ -20,7 +20,7 @@ from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
 from ropewalk.live.gaps import Parted, gaps, located, unknown
 from ropewalk.live.hands import CONTROL, Hands, held_around
-from ropewalk.live.losses import losses_and_gifts
+from ropewalk.live.losses import driven_work, losses_and_gifts
 from ropewalk.live.parameters import named, refusal
 from ropewalk.live.seen import Interval
 from ropewalk.live.touch import Rubbed
@@ -55,7 +55,6 @@ class Saved(NamedTuple):
     first_energy: float
     edited: float
     first_gravity: float
-    rubbed: Rubbed
     seen: tuple[Peaks | None, Peaks | None]  # by `shown` and `recorded`
     label: str
     changes: dict[str, Any]
@@ -96,6 +95,7 @@ class Track:
         self.first_energy = self.energy
         self.first_gravity = float(simulation.recording().recording.energy[0, 1])  # [J]
         self.rubbed = Rubbed(simulation)
+        self._first_works = self._works(simulation.recording().recording)
         self.begun = self.save()  # when the present simulation began
 
     def _watch(self, simulation: Simulation) -> None:
@@ -175,7 +175,6 @@ class Track:
         before, zero = self.energy - self._on_drums, self._gravity_zero()
         made = carry_over(self.simulation, change.scene, change.source, change.parted)
         self.hands.renumber(change.source)
-        self.rubbed = self.rubbed.gone_over(self.simulation, made)
         self._watch(made)
         self.scene = change.scene
         self.hands.targets = {
@@ -317,11 +316,18 @@ class Track:
 
     def books(self, now: Recording) -> tuple[float, float, float]:
         """Return lost, put in, and the method's error [J], from what is recorded of the present frame."""
-        more, driven = self.simulation.layout.more, self.rubbed.driven_until(now)
-        losses, gifts = losses_and_gifts(now.work[0], bends(self.simulation.arrays), more, driven)
-        gifts += self.edited
+        works, before = self._works(now), self._first_works
+        losses, gifts = works[0] - before[0], works[1] - before[1] + self.edited
         energy = float(now.energy[0].sum())
         return -losses, gifts, energy - self.first_energy - losses - gifts
+
+    def _works(self, now: Recording) -> tuple[float, float]:
+        """Return losses and gifts since the simulation began [J], from what is recorded of now."""
+        simulation = self.simulation
+        driven = driven_work(now.books[0, : len(self.scene.obstacles)], now.wheel[0])
+        return losses_and_gifts(
+            now.work[0], bends(simulation.arrays), simulation.layout.more, driven
+        )
 
     def save(self) -> Saved:
         """Return everything, to `restore`."""
@@ -334,7 +340,6 @@ class Track:
             self.first_energy,
             self.edited,
             self.first_gravity,
-            self.rubbed,
             (self.shown.kept, self.recorded.kept),
             self.label,
             dict(self.changes),
@@ -356,7 +361,7 @@ class Track:
             self.recorded.begin()
             self._recorded_at = self.simulation.time
         self.first_energy, self.edited = saved.first_energy, saved.edited
-        self.first_gravity, self.rubbed = saved.first_gravity, saved.rubbed
+        self.first_gravity = saved.first_gravity
         now, there = self.simulation.time, set(gaps(self.simulation).values())
         self.parted = tuple(  # one that was cut now may be undone now
             one for one in self.parted if one.parting.time < now or one.parting in there
@@ -373,7 +378,6 @@ class Track:
         made.hands.fresh = True
         made.shown, made.recorded, old = Interval(), Interval(), self.simulation
         made._watch(carry_over(old, self.scene, edits.same_nodes(old.layout)))
-        made.rubbed = self.rubbed.gone_over(old, made.simulation)
         for name, value in changes.items():
             made.set(name, value)
         return made
