@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
+import threading
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 
 from browser.window import Window
 from live.drive import slack_rope
+from patience import PATIENCE
+from ropewalk.live import breaks
 from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.scene.presets import names as preset_names
@@ -20,7 +24,7 @@ Open = Callable[..., Window]
 Serve = Callable[..., ViewServer]
 SIZE = {"width": 1280, "height": 800}
 COMPILING = 240.0  # [s] for a method that this machine has not compiled yet
-# A slow server tells of a break first, then of its reason: the card is made anew.
+# A slow server tells of a break first, then of its reason.
 EXPLAINED = "r.state === 'broken' && r.session.broken.cause"
 CONSTANT = ".panel [data-parameter=spring_constant] input[type=text]"
 
@@ -115,6 +119,37 @@ def test_a_break_stays_while_the_slider_is_dragged_on(window: Window) -> None:
     on.click()
     card.wait_for(state="hidden")
     window.until(f"r.state === 'playing' && r.time > {time} + 0.3")
+
+
+def test_the_reason_of_a_break_closes_nothing_and_loses_no_press(
+    open_window: Open, serve: Serve, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The card was made anew with it."""
+    gate, answer = threading.Event(), breaks.Question.answer
+
+    def slowly(self: breaks.Question) -> dict[str, Any]:
+        gate.wait(PATIENCE)
+        return answer(self)
+
+    monkeypatch.setattr(breaks.Question, "answer", slowly)
+    window = open_window(serve().address, viewport=SIZE).ready()
+    window.press(" ")
+    window.until("r.time > 0.5")
+    _stiffen(window, 40_000.0)
+    window.until("r.state === 'broken'")
+    window.click("#broken summary")
+    button, mouse = window.page.locator("#broken [data-remedy=step]"), window.page.mouse
+    button.hover()
+    mouse.down()
+    gate.set()
+    window.until(EXPLAINED)
+    card = window.page.locator("#broken")
+    card.locator("#see-break").wait_for()
+    assert "above the largest stable one" in card.inner_text()
+    assert card.locator("details").evaluate("(part) => part.open")
+    button.hover()  # more words may have moved it
+    mouse.up()
+    window.until("r.state === 'playing'")
 
 
 def test_a_break_freezes_says_why_and_goes_back(window: Window) -> None:

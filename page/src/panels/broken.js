@@ -26,6 +26,7 @@ export class BrokenCard {
     this.session = session;
     this.draw = draw;
     this.timer = 0;
+    /** @type {Broken | null} */ this.broken = null; // that is shown
     this.card = h("section", {
       className: "card broken",
       hidden: true,
@@ -56,31 +57,54 @@ export class BrokenCard {
     );
   }
 
-  /** @param {Broken | null} broken */
+  /** Show a break; of one that is shown already only what is new is written: what is open stays so, and a
+   * press on a button meets the same one when it ends. @param {Broken | null} broken */
   show(broken) {
+    const before = this.broken;
+    this.broken = broken;
     this.card.hidden = broken === null;
-    clearTimeout(this.timer);
+    const same = broken && before && isSame(before, broken);
+    if (!same) clearTimeout(this.timer);
     if (!broken) return;
-    const buttons = broken.remedies.map((remedy, i) =>
-      h(
-        "button",
-        {
-          type: "button",
-          className: i === 0 ? "main" : "second",
-          data: { remedy: remedy.id },
-          onclick: () => this.session.tell({ type: "remedy", remedy: remedy.id }),
-        },
-        remedy.label || SIGNS[remedy.id],
-      ),
-    );
+    if (!same) this.begin();
+    const [short, why, theory] = ["p.short", "p.why", "p.theory"].map((part) => this.part(part));
+    write(short, whyInShort(broken.cause));
+    write(why, whyItBroke(broken.cause));
+    write(theory, `${broken.text} ${theoryOf(broken.cause)}`);
+    const ways = broken.remedies.map((remedy, i) => this.way(remedy, i === 0));
+    arrange(this.part(".row"), [...ways, ...this.look(broken)]);
+    this.fold();
+  }
+
+  /** Empty the card for another break. */
+  begin() {
     this.card.replaceChildren(
       h("h2", {}, "The simulation broke"),
-      h("p", { className: "short" }, whyInShort(broken.cause)),
-      h("p", { className: "why" }, whyItBroke(broken.cause)),
-      h("details", {}, h("summary", {}), h("p", {}, `${broken.text} ${theoryOf(broken.cause)}`)),
-      h("div", { className: "row" }, ...buttons, ...this.look(broken)),
+      h("p", { className: "short" }),
+      h("p", { className: "why" }),
+      h("details", {}, h("summary"), h("p", { className: "theory" })),
+      h("div", { className: "row" }),
     );
-    this.fold();
+  }
+
+  /** A piece of the card that is there. @param {string} selector @returns {HTMLElement} */
+  part(selector) {
+    return /** @type {HTMLElement} */ (this.card.querySelector(selector));
+  }
+
+  /** The button of a way out. @param {Broken["remedies"][number]} remedy @param {boolean} first */
+  way(remedy, first) {
+    const told = { type: "remedy", remedy: remedy.id };
+    const button =
+      this.part(`[data-remedy="${remedy.id}"]`) ??
+      h("button", {
+        type: "button",
+        data: { remedy: remedy.id },
+        onclick: () => this.session.tell(told),
+      });
+    button.className = first ? "main" : "second";
+    write(button, remedy.label || SIGNS[remedy.id]);
+    return button;
   }
 
   /** Where the words would cover the rope, put them behind a click but for the first few, and the buttons
@@ -93,9 +117,7 @@ export class BrokenCard {
     const tight = this.card.scrollHeight > MOST * this.host.clientHeight;
     this.card.classList.toggle("tight", tight);
     if (tight) details.children[0].after(why);
-    details.children[0].textContent = tight
-      ? "Why, in words and numbers"
-      : "The theory, in numbers";
+    write(details.children[0], tight ? "Why, in words and numbers" : "The theory, in numbers");
   }
 
   /** Where it lies on the scene; null: it is not shown. @param {HTMLElement} canvas */
@@ -103,10 +125,13 @@ export class BrokenCard {
     return placeOn(this.card, canvas);
   }
 
-  /** A button that shows the steps past the last good frame. @param {Broken} broken */
+  /** A button that shows the steps past the last good frame, and their line. @param {Broken} broken
+   * @returns {HTMLElement[]} */
   look(broken) {
     const { past } = broken;
     if (!past?.length) return [];
+    const there = [this.part("#see-break"), this.part("#past")];
+    if (there[0]) return there;
     const line = h("span", { className: "faint", id: "past" });
     const play = (/** @type {number} */ i) => {
       const step = past[Math.min(i, past.length - 1)];
@@ -119,13 +144,30 @@ export class BrokenCard {
       clearTimeout(this.timer);
       play(0);
     };
-    return [
-      h(
-        "button",
-        { type: "button", className: "second", id: "see-break", onclick },
-        "See it break",
-      ),
-      line,
-    ];
+    const about = { type: "button", className: "second", id: "see-break", onclick };
+    return [h("button", about, "See it break"), line];
+  }
+}
+
+/** Whether two messages are of one break. @param {Broken} one @param {Broken} other */
+function isSame(one, other) {
+  return one.variant === other.variant && one.time === other.time && one.step === other.step;
+}
+
+/** Write a text where it is another one: what is selected in it stays. @param {Element} element
+ * @param {string} text */
+function write(element, text) {
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Let an element have these children; those that are there stay where they are. @param {HTMLElement} host
+ * @param {HTMLElement[]} wanted */
+function arrange(host, wanted) {
+  for (const child of [...host.children])
+    if (!wanted.includes(/** @type {HTMLElement} */ (child))) child.remove();
+  let next = host.firstElementChild;
+  for (const child of wanted) {
+    if (child === next) next = next.nextElementSibling;
+    else host.insertBefore(child, next);
   }
 }
