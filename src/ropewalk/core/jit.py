@@ -83,8 +83,13 @@ def small(function: Callable[..., Any]) -> Any:
     """Compile `function` so that LLVM puts it into its callers.
 
     For arithmetic on a few numbers, and for loops over a rope so short that handing over the arrays shows.
+    What Python calls of it is kept on disk; its callers keep the rest.
     """
-    return function if PLAIN else entry(function, OPTIONS | {"forceinline": True})
+    if PLAIN:
+        return function
+    made = entry(function, OPTIONS | {"forceinline": True})
+    made._cache = KernelCache(function)
+    return made
 
 
 def apart(function: Callable[..., Any]) -> Any:

@@ -103,12 +103,8 @@ def contacts_at(
         gap, *direction, ax, ay, az, ca, cb = surface_near(table, o, x[:, i], t)
         normal = np.array(direction)
         room, rise = gap - table.thickness[i], float(normal @ speed[o, j])
-        if (
-            rise < 0.0
-        ):  # else it gives it back, but only once its machine code is made, in every process
-            rise = closing(rise, room, tuple(direction), (ax, ay, az), ca, cb, tuple(speed[o, j]))[
-                0
-            ]
+        moves = tuple(speed[o, j])
+        rise = closing(rise, room, tuple(direction), (ax, ay, az), ca, cb, moves)[0]
         push = push_on(table, o, i, gap, rise)
         if not push > 0.0:
             continue
