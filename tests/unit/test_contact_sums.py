@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import ropewalk as rw
@@ -131,3 +132,70 @@ radius = 0.08
     title = "largest force on an obstacle"
     assert alone.table[f"{title} [N]"] > 0.1
     assert both.table[f"{title} [N]"] == pytest.approx(alone.table[f"{title} [N]"], rel=1e-6)
+
+
+def _landing_beside_a_wheel(spin: str) -> Scene:
+    """Return a stretched rope that bounces on a wheel with 60 N and more, and one that falls to the floor."""
+    return loads(f"""
+[run]
+duration = 0.12
+frame_rate = 1000
+method = "esdirk3"
+time_step = 0.001
+[[rope]]
+name = "taut"
+segments = 10
+length = 0.45
+diameter = 0.01
+made_of = {{ kind = "material", EA = 1e3, mass_per_length = 0.1 }}
+shape = {{ kind = "straight", start = [-0.25, 0, 0.07], end = [0.25, 0, 0.07] }}
+[[rope]]
+name = "falls"
+segments = 4
+length = 0.2
+diameter = 0.01
+made_of = {{ kind = "material", EA = 1e3, mass_per_length = 0.1 }}
+shape = {{ kind = "straight", start = [-0.1, 1, -0.4], end = [0.1, 1, -0.4], velocity = [0, 0, -1] }}
+[[anchor]]
+rope = "taut"
+node = 0
+motion = {{ kind = "velocity", velocity = [0, 0, -1], stop = 0.04 }}
+[[anchor]]
+rope = "taut"
+node = -1
+motion = {{ kind = "velocity", velocity = [0, 0, -1], stop = 0.04 }}
+[[obstacle]]
+name = "floor"
+kind = "plane"
+point = [0, 0, -0.42]
+[[obstacle]]
+name = "wheel"
+kind = "cylinder"
+from = [0, -0.1, 0]
+to = [0, 0.1, 0]
+radius = 0.06
+{spin}
+""")
+
+
+def test_the_largest_force_on_an_obstacle_is_found_beside_a_wheel_that_bears_more() -> None:
+    """The frames in which the wheel bears most were looked at alone. The twin: a wheel that does not turn."""
+    title = "largest force on an obstacle"
+    result = rw.simulate(_landing_beside_a_wheel("spin = { free = true, inertia = 1e-4 }"))
+    table = result.to_pandas("contacts")
+    parts = ["fx [N]", "fy [N]", "fz [N]"]
+    of = {
+        name: table[table["obstacle"] == name].groupby("time [s]")[parts].sum().pipe(_sizes)
+        for name in ("floor", "wheel")
+    }
+    lands = of["floor"].idxmax()
+    assert (of["wheel"] > of["wheel"].get(lands, 0.0) + of["floor"].max()).sum() > 24
+    assert result.table[f"{title} [N]"] == pytest.approx(of["floor"].max(), rel=1e-9)
+    assert result.table[f"{title} at"].startswith(f"obstacle 'floor', t = {lands:.6g} s")
+    held = rw.simulate(_landing_beside_a_wheel("")).table
+    assert held[f"{title} [N]"] > result.table[f"{title} [N]"]
+    assert held[f"{title} at"].startswith("obstacle 'wheel'")
+
+
+def _sizes(forces: pd.DataFrame) -> pd.Series:
+    return (forces**2).sum(axis=1) ** 0.5

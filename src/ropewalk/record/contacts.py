@@ -205,7 +205,7 @@ def each_frame(
             wheels = None if turning is None else turning[frame]
             there = has_rope(result.layout, rest[frame : frame + 1], lengths)[0]
             contacts = touching(table, now[0], now[1], now[2], there, wheels, t, only)
-            yield frame, contacts if apart else _told(model, now[0], contacts)
+            yield frame, contacts if apart else without_ropes(model, now[0], contacts)
 
 
 def touching(
@@ -227,7 +227,7 @@ def touching(
     return contacts_at(then, x, v, force, there.astype(float), t, only)
 
 
-def _told(model: Model, x: Floats, contacts: Contacts) -> Contacts:
+def without_ropes(model: Model, x: Floats, contacts: Contacts) -> Contacts:
     """Return the contacts of nodes at places (3, n) [m] with NaN for friction where a rope is touched, too.
 
     For runs that were recorded before the force of obstacles was kept apart from that of ropes.

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
+from ropewalk.record.body_loads import body_loads
 from ropewalk.record.event_log import RAN_OFF
 from ropewalk.record.extremes import SEEN
 from ropewalk.record.quantities import PULLEYS, has_rope
@@ -97,28 +98,7 @@ def ran_off_at(result: Result, name: str) -> float:
 
 def axle_loads(result: Result, frames: range) -> Floats:
     """Return the force of the ropes on each pulley, (frames, pulleys) [N]: see `body_loads`."""
-    if len(result.scene.obstacles) == 1 and result.scene.contact is None:  # all forces are its own
-        force = np.nan_to_num(result.read("contact_force", frames.start, frames.stop)).sum(axis=1)
-        return np.asarray(np.linalg.norm(force, axis=1)[:, None])
     return body_loads(result, frames, result.layout.pulleys)
-
-
-def body_loads(result: Result, frames: Sequence[int], names: Sequence[str]) -> Floats:
-    """Return the force of the ropes on each obstacle named, (frames, names) [N]; without its own weight.
-
-    Friction that cannot be told, where a rope touches another on it, is left out.
-    """
-    from ropewalk.record.contacts import each_frame
-
-    bodies = [body.name for body in result.scene.obstacles]
-    where = [bodies.index(name) for name in names]
-    row = {frame: k for k, frame in enumerate(frames)}
-    found = np.zeros((len(frames), len(where), 3))
-    for frame, contacts in each_frame(result, frames, where):
-        forces = contacts.push[:, None] * contacts.normal + np.nan_to_num(contacts.rub)
-        for column, o in enumerate(where):
-            found[row[frame], column] = forces[contacts.obstacle == o].sum(axis=0)
-    return np.asarray(np.linalg.norm(found, axis=2))
 
 
 def _of_axles(result: Result) -> dict[str, Any]:
