@@ -107,8 +107,11 @@ def test_too_coarse_a_rope_is_warned_of() -> None:
     """The twin: a heavy line of four segments, whose tension is not that of a line."""
     rope = hung(4).ropes[0].replace(loads=(), made_of=LINE.replace(mass_per_length=4.0))
     coarse = rw.sheet(hung(4, 1.0, ropes=[rope]))
-    (warning,) = (text for text in warnings(coarse) if "half a segment's weight more" not in text)
-    assert warning.startswith("NOT CONVERGED: the largest")
+    first, then = (text for text in warnings(coarse) if "half a segment's weight more" not in text)
+    assert first == then
+    assert first.startswith("NOT CONVERGED: the largest")
+    assert first in words(coarse.section("Summary"))
+    assert first in words(coarse.section("Convergence"))
 
 
 def test_a_broken_run_is_said_first_and_compared_with_nothing() -> None:

@@ -12,6 +12,7 @@ from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
+from ropewalk.record.peak_energy import peak_energy_note
 from ropewalk.record.tension_notes import anchor_bears, anchor_note, tension_note
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
@@ -41,11 +42,12 @@ _SIGN = "Forces of the ropes on the anchors; components along x, y and z."
 
 
 def summary_section(
-    rest: Result | None, run: Result | None, ends: tuple[Item, ...] = (), then: str = COMPUTE
+    rest: Result | None, run: Result | None, more: tuple[Item, ...] = (), then: str = COMPUTE
 ) -> Section:
-    """Return the numbers that a job is decided by, of the shape of rest and of the run.
+    """Return the numbers that a job is decided by, of the shape of rest and of the run, and their doubts.
 
-    `ends`: what is to be said of guessed stiffnesses; `then`: what was done about them (`doubt_words`).
+    `more`: what is to be said of convergence and of guessed stiffnesses; `then`: what was done about these
+    (`doubt_words`).
     """
     rows, doubts = [], dict[str, list[str]]()
     for title, result in (("at rest", rest), ("in the run", run)):
@@ -69,16 +71,35 @@ def summary_section(
     items: list[Item] = [Table(head, rows)]
     for doubt, titles in doubts.items():
         items.append(Text(f"{' and '.join(titles).capitalize()}: {doubt}.", warning=True))
-    if run is not None and (note := anchor_bears(run, extremes(run)["greatest tension"])):
-        items.append(
-            Text(f"The largest tension in the run is that of a segment: {note}.", warning=True)
-        )
-    items += ends
+    items += [] if run is None else _of_the_run(run)
+    items += more
     if run is not None and run.diagnosis:
         items.append(Text("The run broke: see below. Its numbers end there.", warning=True))
     if run is not None and run.partings:
         items.append(_parted(run))
     return Section("Summary", tuple(items))
+
+
+def _of_the_run(run: Result) -> list[Item]:
+    """Return what is to be said where the numbers of a run stand first."""
+    found = extremes(run)
+    most = found["greatest tension"]
+    items: list[Item] = []
+    if hard := hard_note(run, found):
+        items.append(Text(f"Hard stops in the run: {hard}.", warning=True))
+    elif note := _too_low(run, most):
+        items.append(Text(f"The largest tension in the run: {note}.", warning=True))
+    elif note := anchor_bears(run, most):
+        said = f"The largest tension in the run is that of a segment: {note}."
+        items.append(Text(said, warning=True))
+    if run.table.get("about the energy"):
+        said = "Before numbers of the run are used, see what is said of its energy under Method."
+        items.append(Text(said, warning=True))
+    return items
+
+
+def _too_low(run: Result, most: Extreme) -> str:
+    return tension_note(run, most) or peak_energy_note(run, most)
 
 
 def rest_section(
@@ -188,7 +209,7 @@ def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
     if hard := hard_note(result, found):
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
-        "tension": tension_note(result, most) or anchor_bears(result, most),
+        "tension": _too_low(result, most) or anchor_bears(result, most),
         "force on an anchor": anchor_note(result, force, most),
         "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
     }

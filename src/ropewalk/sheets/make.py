@@ -21,7 +21,7 @@ from ropewalk.sheets.document import Sheet
 from ropewalk.sheets.loads import loose_pulleys, rest_section, run_section, summary_section
 from ropewalk.sheets.ropes import assumption_section, rope_section
 from ropewalk.sheets.stiffness_ends import SEE, at_ends, stiffness_ends
-from ropewalk.sheets.trust import NOT_LOOKED_AT, convergence_section, method_section
+from ropewalk.sheets.trust import NOT_LOOKED_AT, convergence_section, doubts, method_section
 from ropewalk.statics import NoRest
 
 _SEED = 1  # of the samples of what is not known: a sheet made again has the same numbers
@@ -73,13 +73,16 @@ def sheet(
     assert result is not None
     ran = result if run else None
     ends = stiffness_ends(made, rest, ran, tell) if convergence else None
-    sections = [summary_section(rest, ran, held + (ends.summary if ends else ()), again)]
+    trust = NOT_LOOKED_AT
+    if convergence and not result.diagnosis:
+        trust = convergence_section(made, result, tell)
+    told = (() if result.diagnosis else doubts(trust)) + held + (ends.summary if ends else ())
+    sections = [summary_section(rest, ran, told, again)]
     sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made, flags)]
     sections += [assumption_section(made), at_rest]
     if run:
         sections += [run_section(result, again), _courses(result), method_section(result)]
-    if not result.diagnosis:
-        sections.append(convergence_section(made, result, tell) if convergence else NOT_LOOKED_AT)
+    sections += [] if result.diagnosis else [trust]
     sections += [ends.section] if ends else []
     if uncertain:
         tell("what is not known")

@@ -109,6 +109,7 @@ NOT_LOOKED_AT = Section(
 )
 
 
+_NOT = "NOT CONVERGED"
 _NOT_SO = (
     "That steps agree does not make these numbers right: they may all be too long for the motion. See what "
     "is said of the energy under Method."
@@ -134,6 +135,16 @@ def convergence_section(scene: Scene, result: Result, progress: Callable[[str], 
         if not at_rest and result.table.get("about the energy"):
             items.append(Text(_NOT_SO, warning=True))
     return Section("Convergence", tuple(items))
+
+
+def doubts(convergence: Section) -> tuple[Item, ...]:
+    """Return what a summary has to say of convergence: what its section warns of."""
+    told = [one.words for one in convergence.items if isinstance(one, Text) and one.warning]
+    return tuple(
+        Text(words if words.startswith(_NOT) else f"Convergence: {words}", warning=True)
+        for words in told
+        if words != _NOT_SO
+    )
 
 
 def _partings(own: int, ran: list[Variant]) -> list[Item]:
@@ -233,7 +244,7 @@ def _verdict(base: dict[str, float], ran: list[Variant]) -> Text:
                 worst, of, by = change, name, variant.title
     if worst > LARGE:
         return Text(
-            f"NOT CONVERGED: the {of} changes by {percent(worst)} with {by}. Cut the ropes finer, or step "
+            f"{_NOT}: the {of} changes by {percent(worst)} with {by}. Cut the ropes finer, or step "
             "shorter, before these numbers are used.",
             warning=True,
         )
