@@ -17,7 +17,7 @@ def told(result: Result, name: str, array: Floats) -> Floats:
     """Return frames of a quantity as they are told, from the `array` that was recorded of them.
 
     Works [J] are NaN of a run without a ledger, where zeros stand. What contacts have stored at the start,
-    which their books have, is no work.
+    which their books have, is no work; nor is what they have of earlier parts of a live session.
     """
     if name not in WORKS:
         return array
