@@ -100,7 +100,7 @@ def modes(
         scene: scene, preset's name, or scene file.
         about: the shape they are about: "equilibrium", or "start", the scene as it starts, whether forces
             balance there or not.
-        count: how many, slowest first.
+        count: how many, by natural frequency, the lowest first.
 
     Returns:
         Frequencies [Hz], shapes, damping ratios [1] and what moves in each mode.

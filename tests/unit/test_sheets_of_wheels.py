@@ -63,6 +63,7 @@ def test_a_pulley_that_no_bearing_holds_is_a_warning_at_rest() -> None:
             hauled(free=True, inertia=2e-3, bearing=bearing), run=False, convergence=False
         )
         told = words(made.section("At rest"))
+        assert "No spans are told of 'line', as it lies on an obstacle" in told
         assert "lie on 'wheel' and turn by 180 degrees" in told
         assert "With friction there are many shapes of rest" in told
         assert ("it is held still here, and turns when it is let go" in told) is warned

@@ -40,6 +40,8 @@ _LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
 _TOLD = 1.0  # [%] of the energy turned over: of a larger share it is told what it is a share of
 _LITTLE = 1e-4  # [1] of the energy of motion: less turned over is hardly any
 _STILL = 1e-10  # [1] of the energies, or of weight times length: where less is turned over, nothing moves
+# [1] of that: what surfaces are booked to take where nothing moves, from rounding of velocities, step by step
+_BOOKS = 1e4
 
 
 class Carried(NamedTuple):
@@ -66,7 +68,7 @@ def share_turned(result: Result) -> float:
     turned, shares = largest_change(forms.values()), [0.0]
     rounding = _STILL * max(_largest(forms.values()), weight_times_length(result.scene))
     turned = 0.0 if turned <= rounding else turned
-    touched = np.where(touched > rounding, touched, 0.0)
+    touched = np.where(touched > (rounding if turned > 0.0 else _BOOKS * rounding), touched, 0.0)
     if carried := _carried(result, good):
         own = forms | {
             "kinetic": forms["kinetic"] - carried.kinetic,

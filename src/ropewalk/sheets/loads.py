@@ -150,7 +150,15 @@ def _tail_words(span: RestSpan) -> str:
 
 def _contacts(rest: Statics) -> list[Item]:
     """Say how ropes lie on obstacles and on each other, where what slides rests, and what turns pulleys."""
-    items: list[Item] = [Text(f"{_sentence(str(one))}.") for one in (*rest.wraps, *rest.touches)]
+    lie = sorted({one.rope for one in rest.wraps} - {one.rope for one in rest.spans})
+    names = ", ".join(map(repr, lie[:_NAMED])) + (" and others" if len(lie) > _NAMED else "")
+    items: list[Item] = []
+    if lie:
+        on = "as it lies on an obstacle" if len(lie) == 1 else "as they lie on obstacles"
+        items.append(
+            Text(f"No spans are told of {names}, {on}: what is carried on both sides is said here.")
+        )
+    items += [Text(f"{_sentence(str(one))}.") for one in (*rest.wraps, *rest.touches)]
     items += [Text(f"{_sentence(str(one))}.", warning=one.uneven > 0.0) for one in rest.seats]
     items += [Text(f"{_sentence(str(one))}.", warning=not one.stands) for one in rest.pulleys]
     items += [Text(f"{_sentence(MANY)}.")] if rest.by_friction else []

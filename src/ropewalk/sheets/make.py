@@ -73,17 +73,14 @@ def sheet(
     assert result is not None
     ran = result if run else None
     ends = stiffness_ends(made, rest, ran, tell) if convergence else None
-    trust = NOT_LOOKED_AT
-    if convergence and not result.diagnosis:
-        trust = convergence_section(made, result, tell)
-    told = (() if result.diagnosis else doubts(trust)) + held + (ends.summary if ends else ())
+    trust = _converged(made, result, tell if convergence else None)
+    told = doubts(trust) + held + (ends.summary if ends else ())
     sections = [summary_section(rest, ran, told, again)]
     sections += [_drawing(rest or result), rope_section(made), *_given(file or scene, made, flags)]
     sections += [assumption_section(made), at_rest]
     if run:
         sections += [run_section(result, again), _courses(result), method_section(result)]
-    sections += [] if result.diagnosis else [trust]
-    sections += [ends.section] if ends else []
+    sections += [one for one in (trust, ends.section if ends else None) if one and one.items]
     if uncertain:
         tell("what is not known")
         sections.append(_uncertain(made, uncertain, samples, "run" if run else "rest"))
@@ -107,6 +104,13 @@ def _rest(
         reason = str(error).splitlines()[-1].strip()
         return None, Section("At rest", (Text(f"There is no shape of rest: {reason}"),)), ()
     return rest, rest_section(rest, statics.spans, statics, again), loose_pulleys(statics)
+
+
+def _converged(scene: Scene, result: Result, tell: Callable[[str], None] | None) -> Section:
+    """Return how the numbers converge, if there is whom to `tell`; nothing of a run that broke."""
+    if result.diagnosis:
+        return Section("Convergence", ())
+    return NOT_LOOKED_AT if tell is None else convergence_section(scene, result, tell)
 
 
 def _drawing(result: Result) -> Section:

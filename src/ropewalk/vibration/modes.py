@@ -39,12 +39,17 @@ from ropewalk.vibration.unrelaxed import relaxing_notes
 
 About = Literal["equilibrium", "start"]
 
+_ALIKE = 1e-4  # of the highest frequency [1]: fallen by less, nobody asks why
+_BY_NATURAL = (
+    "modes stand in the order of their natural frequencies, without damping; one that is damped rings "
+    "slower, and may stand behind one that rings faster"
+)
 _ROUNDING = 8.0 * float(np.finfo(np.float64).eps)  # of the largest coordinate: no stretch [1]
 
 
 @dataclass(frozen=True)
 class Modes:
-    """Modes of a scene about a shape, the slowest first. Angular rates in 1/s, frequencies in Hz."""
+    """Modes of a scene about a shape, by their natural frequencies. Rates in 1/s, frequencies in Hz."""
 
     scene: Scene
     layout: Layout
@@ -120,7 +125,10 @@ class Modes:
         ]
         slips = [slip_note(self.slips_on)] if self.slips_on else []
         slips += [full_note(*self.at_limit)] if self.at_limit[0] else []
-        return [*stands, *slips, *self.bumps, *bump_notes(self), *relaxing_notes(self)]
+        rings = self.frequencies[self.frequencies > 0.0]
+        falls = bool(np.any(np.diff(rings) < -_ALIKE * rings.max(initial=0.0)))
+        order = [_BY_NATURAL] if falls else []
+        return [*stands, *slips, *self.bumps, *bump_notes(self), *relaxing_notes(self), *order]
 
     @property
     def plot(self) -> ModePlots:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     default=10,
     show_default=True,
     metavar="N",
-    help="How many modes, the slowest first.",
+    help="How many modes: those of the lowest natural (undamped) frequencies, in their order.",
 )
 @click.option(
     "--about",
