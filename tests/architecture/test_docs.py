@@ -219,7 +219,8 @@ def notes_of_tables() -> set[str]:
     titles, noted = dict[str, str](), set[str]()
     for path in folder.glob("*.py"):
         rows |= set(re.findall(r'"(about (?:the|these|hard) [a-z ]+)"', path.read_text("utf-8")))
-    for node in ast.walk(ast.parse((folder / "summary.py").read_text("utf-8"))):
+    texts = [(folder / name).read_text("utf-8") for name in ("summary.py", "note_kinds.py")]
+    for node in (one for text in texts for one in ast.walk(ast.parse(text))):
         if isinstance(node, ast.Dict):
             keys = [key.value for key in node.keys if isinstance(key, ast.Constant)]
             if "greatest speed" in keys:  # what each extreme is called

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pandas as pd
+import pytest
 
 import ropewalk as rw
 from ropewalk.scene import apply_overrides
@@ -82,6 +85,17 @@ def make(folder: Path, **options: Any) -> None:
         rw.sweep.resume(folder, **({"on": "here"} | options))
         return
     rw.sweep(swing(0.04), TABLE, store=folder, batch=2, **({"on": "here"} | options))
+
+
+@contextmanager
+def of_format(version: int) -> Iterator[None]:
+    """Have sweeps made in an older format, but for what of it is not in the plan alone."""
+    from ropewalk.sweeps import many
+
+    made = many.SweepPlan
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(many, "SweepPlan", lambda **about: made(**about, format=version))
+        yield
 
 
 def flip(path: Path) -> None:

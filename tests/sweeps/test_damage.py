@@ -17,7 +17,7 @@ import ropewalk as rw
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.repair import faults
 from ropewalk.sweeps.sweep_folder import SweepFolder
-from sweeps.scenes import EA, RUNS, flip, make, store_bytes, swing
+from sweeps.scenes import EA, RUNS, flip, make, of_format, store_bytes, swing
 
 
 def test_a_damaged_batch_is_seen_and_made_again(tmp_path: Path, whole: dict[str, bytes]) -> None:
@@ -96,7 +96,7 @@ def turn(path: Path, old: bytes, new: bytes) -> None:
 ONE_BIT: dict[str, Callable[[Path], None]] = {
     "rope": lambda path: turn(path, b"mass_per_length = 0.1", b"mass_per_length = 0.3"),
     "json": lambda path: turn(path, b'"recipe"', b'#recipe"'),
-    "format": lambda path: turn(path, b'"format": 3', b'"format": 2'),
+    "format": lambda path: turn(path, b'"format": 4', b'"format": 2'),
     "checksum": lambda path: turn(path, b'"checksum"', b'"chfcksum"'),
     "end": lambda path: path.write_bytes(path.read_bytes()[:-100]),
     "middle": flip,
@@ -194,10 +194,14 @@ def old_store(folder: Path) -> None:
 
 
 def test_a_sweep_whose_facts_have_no_checksum_still_opens(
-    tmp_path: Path, half: Path, whole: dict[str, bytes]
+    tmp_path: Path,
 ) -> None:
     """As format 2 was."""
-    folder = Path(shutil.copytree(half, tmp_path / "s"))
+    folder = tmp_path / "s"
+    with of_format(3):
+        make(folder)
+    whole = store_bytes(folder)
+    SweepFolder.open(folder).unmark([4, 11])
     old_store(folder)
     assert faults(SweepFolder.open(folder)) == []
     rw.sweep.resume(folder, on="here", progress=False)

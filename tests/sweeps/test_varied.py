@@ -55,7 +55,7 @@ def test_numbers_as_texts_are_numbers() -> None:
     as_numbers = rw.sweep(swing(0.02), {EA: [1e3, 2e3], "rope.segments": [2]}, **ask)
     assert as_texts.identical(as_numbers)
     assert as_texts.EA.dtype == np.float64
-    assert list(as_texts.data_vars) == ["status", "reason", "broke_at", "tension_max"]
+    assert list(as_texts.data_vars) == ["status", "notes", "reason", "broke_at", "tension_max"]
 
 
 def test_samples_are_those_of_scipy_and_the_same_for_a_seed() -> None:

@@ -63,5 +63,6 @@ def _facts(found: Any, folder: Path) -> dict[str, Any]:
         "bands": bands,
         "total Sobol indices": sobol,
         "half width of their 95 % intervals": half,
+        "notes": found.notes,
         "note": found.note or None,
     }

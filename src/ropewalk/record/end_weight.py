@@ -59,12 +59,15 @@ def is_end_weight(
     if not tension > 0.0 or not force > (1.0 + least) * tension:
         return False
     rope, node = scene.rope_named(layout.rope_of(segment)[0]), layout.anchor_nodes[row]
-    half = 0.5 * rope.own_mass / rope.segments * np.array(scene.gravity)
+    half = [0.5 * rope.own_mass / rope.segments * part for part in scene.gravity]
     if rope.submerged_weight is not None:  # what water leaves of it
-        half = -0.5 * rope.submerged_weight * rope.segment_length * np.array(scene.up)
-    along = at[segment + 1 if node == segment else segment] - at[node]
-    alone = np.linalg.norm(tension * along / np.linalg.norm(along) + half)
-    return bool(abs(force - alone) <= _APART * np.linalg.norm(half))
+        half = [-0.5 * rope.submerged_weight * rope.segment_length * part for part in scene.up]
+    here, there = at[node].tolist(), at[segment + 1 if node == segment else segment].tolist()
+    if here == there:
+        return False
+    along = [tension * (b - a) / math.dist(here, there) for a, b in zip(here, there, strict=True)]
+    alone = math.hypot(*(a + b for a, b in zip(along, half, strict=True)))
+    return abs(force - alone) <= _APART * math.hypot(*half)
 
 
 def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
@@ -82,6 +85,8 @@ def weight_note(result: Result, peak: Extreme, pressed: bool) -> str:
     else:
         pulls = result.read("reactions", 0, result.good_frames)[:, row]
         force = float(np.linalg.norm(pulls, axis=1).max())
+    if not force > (1.0 + MORE) * peak.value:
+        return ""
     # an equilibrium is one frame, and does not say of rigid links when
     frame = result.frame_at(peak.until) if math.isfinite(peak.until) else 0
     places = result.read("positions", frame, frame + 1)[0]

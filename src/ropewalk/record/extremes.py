@@ -24,6 +24,8 @@ _VALUES = 2_000_000  # numbers of one quantity looked at together
 UTILISATION = "greatest utilisation"  # of the breaking load [1]
 GUESSED = "utilisation nearest with the least of guesses"  # of the breaking load as given [1]
 LEAST = ("least tension", "lowest point")
+_SIGNS = np.array([-1.0 if name in LEAST else 1.0 for name in EXTREMES])
+_COLUMNS = np.arange(len(EXTREMES))
 _NOUNS = {"speed": "node", "point": "node", "force": "anchor", "moment": "anchor"}
 
 
@@ -81,7 +83,7 @@ def had_rope(result: Result, start: int = 0, stop: int | None = None) -> NDArray
     else:
         rest = result.rest_length[start:stop]
     found = has_rope(result.layout, rest, [rope.segment_length for rope in result.scene.ropes])
-    if result.has_extremes:
+    if result.has_extremes and not found.all():
         found |= result.read("greatest_stretch", start, stop) > 0.0
         for name in ("least_tension", "greatest_tension"):
             found |= result.read(name, start, stop) != 0.0
@@ -90,19 +92,18 @@ def had_rope(result: Result, start: int = 0, stop: int | None = None) -> NDArray
 
 def _of_steps(result: Result) -> dict[str, Extreme]:
     """Return the extremes of every step."""
-    good, found = result.good_frames, {}
+    good = result.good_frames
     values, places = result.read("extremes", 0, good), result.read("extreme_places", 0, good)
     since, until = result.read("extreme_since", 0, good), result.read("extreme_until", 0, good)
-    for column, name in enumerate(EXTREMES):
-        sign = -1.0 if name in LEAST else 1.0
-        sound = np.isfinite(values[:, column])
-        frame = int(np.argmax(np.where(sound, sign * values[:, column], -np.inf)))
-        if sound[frame]:
-            value, place = float(values[frame, column]), int(places[frame, column])
-            first, last = float(since[frame, column]), float(until[frame, column])
-            found[name] = Extreme(value, place, first, last, True)
-        else:
-            found[name] = Extreme(math.nan, 0, math.nan, math.nan, True)
+    signed = _SIGNS * values
+    sound = np.isfinite(signed)
+    signed[~sound] = -np.inf
+    at = signed.argmax(axis=0), _COLUMNS
+    columns = (sound[at], values[at], places[at], since[at], until[at])
+    found = {}
+    for name, there, *about in zip(EXTREMES, *(part.tolist() for part in columns), strict=True):
+        value, place, first, last = about if there else (math.nan, 0, math.nan, math.nan)
+        found[name] = Extreme(value, int(place), first, last, True)
     return found
 
 
@@ -113,7 +114,7 @@ def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
     the least of guessed breaking loads, over its own as given.
     """
     loads = breaking_loads(result.scene, result.layout)
-    least = breaking_loads(result.scene, result.layout, least=True)
+    least = None if loads is None else breaking_loads(result.scene, result.layout, least=True)
     if loads is None or least is None:
         return {}
     use = _greatest_share(result, loads, pull)
@@ -157,12 +158,32 @@ def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
     return Extreme(best, at[1], first, last, result.has_extremes)
 
 
+def shares(result: Result, tension: Floats) -> Floats:
+    """Return tensions over breaking loads, (frames, segments) [1]; NaN where none is known.
+
+    At rest of what ropes or the anchors beside them bear, as in the table. Raises LookupError without a load.
+    """
+    loads = breaking_loads(result.scene, result.layout)
+    if loads is None:
+        raise LookupError("no rope has a breaking_load")
+    found = np.where(np.isfinite(loads), utilisations(tension, loads), np.nan)
+    if result.status == AT_REST:
+        for segment in _pulled_most(result):
+            found[0, segment] = _borne(result, segment).most / float(loads[segment])
+    return found
+
+
+def _pulled_most(result: Result) -> list[int]:
+    """Return the segment with the largest tension of every rope of an equilibrium."""
+    tension = np.nan_to_num(result.read("tension", 0, 1)[0], nan=-math.inf)
+    spans = result.layout.ropes
+    return [span.start + int(np.argmax(tension[span.start : span.end])) for span in spans]
+
+
 def _share_at_rest(result: Result, loads: Floats) -> Extreme:
     """Return the greatest of what ropes or the anchors beside them bear over these loads, (segments,) [N]."""
     best, at = math.nan, 0
-    tension = np.nan_to_num(result.read("tension", 0, 1)[0], nan=-math.inf)
-    for span in result.layout.ropes:
-        segment = span.start + int(np.argmax(tension[span.start : span.end]))
+    for segment in _pulled_most(result):
         share = _borne(result, segment).most / float(loads[segment])
         if math.isfinite(loads[segment]) and not share <= best:
             best, at = share, segment

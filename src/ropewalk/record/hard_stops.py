@@ -27,6 +27,8 @@ def hard_note(result: Result, found: dict[str, Extreme]) -> str:
     tension, force = found["greatest tension"], found["greatest anchor force"]
     limiter, longest = result.scene.limiter, found["greatest stretch"].value
     reached = limiter is not None and longest > limiter.max_stretch * (1.0 - NEAR)
+    if not reached and not any(rope.rigid for rope in result.scene.ropes):
+        return ""
     for quantity, peak, node in (
         ("tension", tension, tension.place),
         ("reactions", force, result.layout.anchor_nodes[force.place] if force.value > 0.0 else 0),

@@ -23,6 +23,8 @@ def breaking_loads(scene: Scene, layout: Layout, *, least: bool = False) -> Floa
 
     Segments between two ropes, which carry nothing, have inf. With `least` the least of a guessed one.
     """
+    if all(breaking_load(rope) is None for rope in scene.ropes):
+        return None
     loads = np.full(max(layout.nodes - 1, 0), math.inf)
     for rope, span in zip(scene.ropes, layout.ropes, strict=True):
         load = breaking_load(rope)

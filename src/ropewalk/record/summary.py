@@ -14,26 +14,22 @@ from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
-from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
-from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
+from ropewalk.record.note_kinds import (
+    HARD,
+    Note,
+    less_rounding,
+    notes_at_rest,
+    notes_of_extremes,
+)
 from ropewalk.record.parted import parting_rows
-from ropewalk.record.peak_energy import peak_energy_note
 from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.reach_note import reach_note
-from ropewalk.record.tension_notes import (
-    anchor_bears,
-    anchor_note,
-    curve_note,
-    push_note,
-    tension_note,
-)
 from ropewalk.record.turnover import share_turned, steady_note
 from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
-from ropewalk.words.pushes import largest_push
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -175,26 +171,15 @@ def _steps(result: Result) -> dict[str, Any]:
 def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the extremes with their places and times, those of anchors and clamps where there are any."""
     told: dict[str, Any] = {}
-    most, least = found["greatest tension"], found["least tension"]
-    force = found["greatest anchor force"]
-    hard = hard_note(result, found)
-    notes = {
-        "greatest tension": tension_note(result, most)
-        or peak_energy_note(result, most)
-        or anchor_bears(result, most),
-        "least tension": push_note(result, least, most.value),
-        "greatest stretch": curve_note(result, found["greatest stretch"]),
-        "greatest anchor force": "" if hard else anchor_note(result, force, most),
-        "greatest clamp moment": moment_note(result, found["greatest clamp moment"]),
-    }
+    notes = notes_of_extremes(result, found)
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
         if not (anchors and math.isnan(found[name].value)):
             told[title] = found[name].value
             told[f"{title.partition(' [')[0]} at"] = place_of(result, name, found[name])
-        if notes.get(name):
-            told[f"about the {title.partition(' [')[0]}"] = notes[name]
-    return told | ({"about hard stops": hard} if hard else {})
+        if name in notes:
+            told[f"about the {title.partition(' [')[0]}"] = notes[name][1]
+    return told | ({"about hard stops": notes[HARD][1]} if HARD in notes else {})
 
 
 def _titles(result: Result) -> dict[str, str]:
@@ -211,41 +196,36 @@ def _titles(result: Result) -> dict[str, str]:
     }
 
 
-def _moment_at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
+def _moment_at_rest(
+    result: Result, found: dict[str, Extreme], notes: dict[str, Note]
+) -> dict[str, Any]:
     """Return the largest moment on a clamp, and what is to be said of it, where there is one."""
     moment = found["greatest clamp moment"]
     if math.isnan(moment.value):
         return {}
     place = place_of(result, "greatest clamp moment", moment).partition(",")[0]
-    note = moment_note(result, moment)
     told = {"largest clamp moment [N m]": moment.value, "largest clamp moment at": place}
-    return told | ({"about the largest clamp moment": note} if note else {})
+    if "greatest clamp moment" in notes:
+        told["about the largest clamp moment"] = notes["greatest clamp moment"][1]
+    return told
 
 
 def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     """Return the numbers of an equilibrium, without those of a motion."""
     about = result.facts.provenance["statics"]
-    if abs(found["greatest tension"].value) <= result.residual:  # rounding, and none
-        found = found | {"greatest tension": found["greatest tension"]._replace(value=0.0)}
+    found = less_rounding(result, found)
     table: dict[str, Any] = {"status": result.status}
-    peak, least = found["greatest tension"], found["least tension"]
-    notes = {
-        "greatest tension": anchor_bears(result, peak),
-        "least tension": push_note(result, least, peak.value)
-        if largest_push(result.tension[0], result.residual)
-        else "",
-        "greatest stretch": curve_note(result, found["greatest stretch"]),
-    }
+    notes = notes_at_rest(result, found)
     for name in ("greatest tension", "least tension", "greatest stretch", "lowest point"):
-        if name == "least tension" and not notes[name]:
+        if name == "least tension" and name not in notes:
             continue  # nothing pushes
         title, extreme = _titles(result)[name], found[name]
         table[title] = extreme.value
         place = place_of(result, name, extreme).partition(",")[0]
         table[f"{title.partition(' [')[0]} at"] = place
-        if notes.get(name):
-            table[f"about the {title.partition(' [')[0]}"] = notes[name]
-    table |= _moment_at_rest(result, found)
+        if name in notes:
+            table[f"about the {title.partition(' [')[0]}"] = notes[name][1]
+    table |= _moment_at_rest(result, found, notes)
     return (
         table
         | _margins(result, found)

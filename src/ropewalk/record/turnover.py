@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.hands.drum import PARTED
 from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
@@ -31,6 +32,7 @@ from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
 
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
@@ -109,6 +111,24 @@ def own_kinetic(result: Result) -> Floats:
     return kinetic - carried.kinetic if carried else kinetic
 
 
+def stands(scene: Scene) -> bool:
+    """Tell whether all anchors hold what they hold where it is, all the time."""
+    return all(isinstance(one.motion, Fixed) and one.release_time is None for one in scene.anchors)
+
+
+def nothing_is_loose(result: Result) -> bool:
+    """Tell whether anchors hold a node of every rope all the time, and all rope hangs together.
+
+    Where it does so otherwise, by joints or beside a drum, it is not told.
+    """
+    scene, layout = result.scene, result.layout
+    if scene.winches or any(one.release_time is not None for one in scene.anchors):
+        return False
+    if result.ends or any(event["event"] == PARTED for event in result.events):
+        return False
+    return len({layout.rope_of(node)[0] for node in layout.anchor_nodes}) == len(layout.ropes)
+
+
 def _ratio(part: float, whole: float) -> float:
     return 100.0 * float(part) / whole if whole > 0.0 else 0.0
 
@@ -151,14 +171,12 @@ def _without_motors(result: Result, work: Mapping[str, Floats]) -> dict[str, Flo
 def _carried(result: Result, good: int) -> Carried | None:
     """Return what pieces have as wholes; None where anchors that stand still hold all, all the time."""
     scene, layout = result.scene, result.layout
-    stands = all(
-        isinstance(one.motion, Fixed) and one.release_time is None for one in scene.anchors
-    )
     live, held = _topology(result, 0)
     fed = np.zeros(layout.nodes, dtype=bool)
     for span in (layout.span(winch.rope) for winch in scene.winches):
         fed[span.first : span.last + 1] = True
-    if stands and not scene.parts and not (_loose(_labels(result, live), held) & ~fed).any():
+    still = stands(scene) and not scene.parts
+    if still and not (_loose(_labels(result, live), held) & ~fed).any():
         return None
     mass = masses(layout, tuple(line(rope) for rope in scene.ropes))[0]
     found = Carried(np.zeros(good), np.zeros(good), np.zeros(good))

@@ -14,7 +14,7 @@ import numpy as np
 from ropewalk.record.errors import RunError
 from ropewalk.sweeps.designs import GRID
 from ropewalk.sweeps.memory import SweepMemory
-from ropewalk.sweeps.store_layout import DONE
+from ropewalk.sweeps.store_layout import ABOUT_NOTES, ABOUT_STATUS, DONE
 from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.sweep_plan import SweepPlan
 
@@ -106,7 +106,8 @@ def in_memory(sweep: SweepMemory) -> xr.Dataset:
     for dim, found in plan.coordinates.items():
         coords[dim] = (dim, np.array(found["values"]), found["attributes"])
     variables: dict[str, Any] = {
-        "status": ("run", sweep.columns["status"], {"long_name": "how the run ended"}),
+        "status": ("run", sweep.columns["status"], ABOUT_STATUS),
+        "notes": ("run", sweep.columns["notes"], ABOUT_NOTES),
         "reason": ("run", sweep.columns["reason"], {"long_name": "why it broke"}),
         "broke_at": (
             "run",

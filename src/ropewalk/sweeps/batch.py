@@ -14,6 +14,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.engine.spare import Spare
 from ropewalk.lowering import Model
 from ropewalk.record.facts import AT_REST, FINISHED
+from ropewalk.record.note_kinds import BETWEEN, kinds
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import simulate_in_memory
@@ -91,6 +92,7 @@ class Batch:
     reason: list[str] = field(default_factory=list)
     broke_at: list[float] = field(default_factory=list)  # [s]; NaN for a good run
     kept: dict[str, Floats] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)  # kinds of what a run's table warns of
 
     @property
     def broken(self) -> int:
@@ -102,13 +104,15 @@ class Batch:
         self.status += more.status
         self.reason += more.reason
         self.broke_at += more.broke_at
+        self.notes += more.notes
         for name, array in more.kept.items():
             here = self.kept.get(name)
             self.kept[name] = array if here is None else np.concatenate([here, array])
 
     def arrays(self) -> dict[str, Any]:
         """Return the columns by name: lists of texts, arrays of numbers; `status` is the last one."""
-        texts = {"reason": self.reason, "status": self.status}
+        notes = self.notes or [""] * len(self.status)
+        texts = {"reason": self.reason, "notes": notes, "status": self.status}
         return self.kept | {"broke_at": np.array(self.broke_at)} | texts
 
 
@@ -127,23 +131,28 @@ class Batcher:
         sizes = zip(self.keep, self.recipe.sizes, strict=True)
         batch.kept = {kept.name: np.full((len(rows), *size), math.nan) for kept, size in sizes}
         for number, row in enumerate(rows):
-            status, reason, broke_at = self._one(number, row, batch.kept)
+            status, why, broke_at = self._one(number, row, batch.kept)
+            good = status in GOOD
             batch.status.append(status)
-            batch.reason.append(reason)
+            batch.reason.append("" if good else why)
+            batch.notes.append(why if good else "")
             batch.broke_at.append(broke_at)
         return batch
 
     def _one(
         self, number: int, row: Sequence[Any], out: Mapping[str, Floats]
     ) -> tuple[str, str, float]:
-        """Make one run, write what is kept of it; return status, reason and time of the break [s]."""
+        """Make one run, write what is kept of it; return status, why it broke, and when [s].
+
+        Of one that ended well what there is to note of it, in place of a reason.
+        """
         try:
             result = self.run(row)
             if result.status in GOOD:
                 for kept in self.keep:
                     value, _ = kept.of(result)
                     _put(out[kept.name][number, ...], value, kept)
-                return result.status, "", math.nan
+                return result.status, BETWEEN.join(kinds(result)), math.nan
             return result.status, result.diagnosis, result.broke_at
         except SceneError as error:
             return REFUSED, str(error), math.nan

@@ -8,7 +8,7 @@ from zarr.storage import LocalStore
 
 from ropewalk.record.errors import RunError
 from ropewalk.record.zarr_format import opened
-from ropewalk.sweeps.store_layout import OF_BROKEN, STATUS
+from ropewalk.sweeps.store_layout import NOTES, OF_BROKEN, STATUS
 from ropewalk.sweeps.sweep_folder import DATA, SweepFolder
 
 if TYPE_CHECKING:
@@ -28,7 +28,9 @@ class CheckedStore(LocalStore):
         self.unmarked = sweep.unmarked_runs() if sweep is not None else []
         self._hidden: set[str] = set()
         if sweep is not None:
-            results = [sweep.specs[name] for name in (*OF_BROKEN, STATUS)]
+            results = [
+                sweep.specs[name] for name in (*OF_BROKEN, NOTES, STATUS) if name in sweep.specs
+            ]
             results += [sweep.specs[variable.name] for variable in sweep.plan.variables]
             numbers = [rows.start // sweep.plan.batch for rows in self.unmarked]
             self._facts = sweep.facts_state()

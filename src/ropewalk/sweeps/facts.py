@@ -13,7 +13,12 @@ _SEALED = 3  # the format from which on there are checksum and copy
 
 def _sound(path: Path) -> dict[str, Any]:
     """Return the facts of a file. Raises RunError when it is missing or not as it was written."""
-    return read_sealed(path, lambda facts: facts.get("format") == _SEALED)
+    return read_sealed(path, _must_be_sealed)
+
+
+def _must_be_sealed(facts: dict[str, Any]) -> bool:
+    version = facts.get("format")
+    return isinstance(version, int) and version >= _SEALED
 
 
 def fault(path: Path) -> str:

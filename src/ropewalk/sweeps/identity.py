@@ -11,20 +11,34 @@ import numpy as np
 from ropewalk.core.cache import PACKAGE
 from ropewalk.record.identity import meaning, source_hash
 
-#: Beside the sources of a run: what reads, reduces and keeps its numbers.
+#: Beside the sources of a run: what reads, reduces and keeps its numbers, and what is noted of them.
 KEPT_BY = (
     "record/balances.py",
     "record/books.py",
+    "record/borne.py",
+    "record/contacts.py",
+    "record/deep_note.py",
+    "record/drums.py",
+    "record/end_weight.py",
     "record/ends.py",
     "record/event_log.py",
+    "record/extremes.py",
     "record/facts.py",
     "record/good.py",
     "record/happenings.py",
+    "record/hard_stops.py",
+    "record/limiter_note.py",
+    "record/margins.py",
+    "record/moment_notes.py",
+    "record/note_kinds.py",
     "record/parted.py",
+    "record/peak_energy.py",
     "record/quantities.py",
     "record/rest.py",
     "record/result.py",
     "record/source.py",
+    "record/tension_notes.py",
+    "record/turnover.py",
     "sweeps/batch.py",
     "sweeps/keep.py",
     "sweeps/workshop.py",

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.record.books import told
-from ropewalk.record.extremes import had_rope
+from ropewalk.record.extremes import had_rope, shares
 from ropewalk.record.parted import count_parted
 from ropewalk.record.quantities import BY_NAME, labels
 from ropewalk.record.result import Result
@@ -29,6 +29,7 @@ from ropewalk.words.nearest import nearest
 
 DEFAULT = ("tension.max", "reactions.max", "positions[-1]")
 _FORM = re.compile(r"(\w+)\s*(?:\[([^\[\]]*)\])?\s*(?:\.\s*(\w+)\s*(?:\[([^\[\]]*)\])?)?")
+_OF_ROPE = ("tension", "elastic_tension", "stretch", "utilisation", "safety_factor")
 #: Dimensions that a reducer goes over; anchors, ropes and forms of energy stay apart.
 _REDUCED = ("time", "node", "segment")
 # NaN stands where there is no rope; a run with others is broken, and not asked.
@@ -45,6 +46,8 @@ _REDUCERS: dict[str, tuple[str, Callable[..., Any]]] = {
 _OF_STEPS = {
     ("tension", "max"): "greatest_tension",
     ("tension", "min"): "least_tension",
+    ("utilisation", "max"): "greatest_tension",
+    ("safety_factor", "min"): "greatest_tension",
     ("stretch", "max"): "greatest_stretch",
     ("speed", "max"): "greatest_speed",
     ("height", "max"): "greatest_height",
@@ -63,6 +66,15 @@ class Derived:
     unit: str
     long_name: str
     of: Callable[[Result], Floats]
+    of_steps: Callable[[Result, Floats], Floats] = lambda _, array: array  # of what steps reached
+
+
+def _safety(result: Result, tension: Floats) -> Floats:
+    """Return breaking loads over tensions, (frames, segments) [1]; inf where nothing pulls."""
+    use = shares(result, tension)
+    found = np.where(np.isnan(use), np.nan, np.inf)
+    np.divide(1.0, use, out=found, where=use > 0.0)
+    return found
 
 
 def _stretch(result: Result) -> Floats:
@@ -108,6 +120,20 @@ DERIVED: dict[str, Derived] = {
         ("time", "node"), "m", "height along up", lambda r: r.positions @ np.asarray(r.scene.up)
     ),
     "stretch": Derived(("time", "segment"), "1", "length over unstretched length", _stretch),
+    "utilisation": Derived(
+        ("time", "segment"),
+        "1",
+        "tension over breaking load",
+        lambda r: shares(r, r.tension),
+        shares,
+    ),
+    "safety_factor": Derived(
+        ("time", "segment"),
+        "1",
+        "breaking load over tension",
+        lambda r: _safety(r, r.tension),
+        _safety,
+    ),
     "sag": Derived(("time", "rope"), "m", "drop below the line between the rope's ends", _sag),
     "total_energy": Derived(("time",), "J", "total energy", lambda r: r.energy["total"]),
     "energy_error": Derived(
@@ -187,6 +213,7 @@ class Kept:
             array, dims = result.read(self.of_steps), BY_NAME[self.of_steps].dims
             if "bound" in dims:  # the least and the greatest: the size is the larger one's
                 array, dims = np.fmax.reduce(np.abs(array), axis=1), dims[:1]
+            array = array if derived is None else derived.of_steps(result, array)
         elif derived is not None:
             array = derived.of(result)
         elif self.quantity in result.source.names:
@@ -197,11 +224,7 @@ class Kept:
             array, dims = self._picked(result, array, dims)
         if self.reducer is None:
             return array, dims
-        if self.quantity in (
-            "tension",
-            "elastic_tension",
-            "stretch",
-        ):  # none where there is no rope
+        if self.quantity in _OF_ROPE:  # none where there is no rope
             there = result.live if self.of_steps is None else had_rope(result)
             if self.picks is not None:
                 there = self._picked(result, there, dims)[0]

@@ -22,6 +22,7 @@ class SweepMemory:
         self.columns: dict[str, Any] = {
             "status": np.full(plan.runs, "", dtype=object),
             "reason": np.full(plan.runs, "", dtype=object),
+            "notes": np.full(plan.runs, "", dtype=object),
             "broke_at": np.full(plan.runs, math.nan),
         }
         for variable in plan.variables:

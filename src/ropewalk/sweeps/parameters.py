@@ -24,7 +24,19 @@ _PATH = re.compile(r"\w+(\[\w+\])?(\.\w+(\[\w+\])?)+|\w+\[\w+\]")
 FLOAT, INT, TEXT = "float", "int", "text"
 #: Names of a sweep's own variables and of dimensions, which no parameter may take.
 RESERVED = {
-    *("run", "status", "reason", "broke_at", "done", "time", "node", "segment", "axis", "anchor"),
+    *(
+        "run",
+        "status",
+        "notes",
+        "reason",
+        "broke_at",
+        "done",
+        "time",
+        "node",
+        "segment",
+        "axis",
+        "anchor",
+    ),
     *("form", "law", "cause", "rope", "parameter", "quantile"),
     *("method", "tolerance", "drop"),  # words of xarray's `sel`
     *BY_NAME,  # what can be kept has these names

@@ -14,10 +14,13 @@ from ropewalk.sweeps.parameters import FLOAT, INT
 from ropewalk.sweeps.sweep_plan import SweepPlan
 
 RUN, DONE, STATUS, REASON, BROKE_AT = "run", "done", "status", "reason", "broke_at"
+NOTES = "notes"
 #: The array of the marks, in a group that plain xarray leaves aside; until format 2 it was `done` itself.
 _MARKS = f"{DONE}/marks"
 #: Files that a batch has only where one of its runs broke.
 OF_BROKEN = (BROKE_AT, REASON)
+ABOUT_STATUS = {"long_name": "how the run ended"}
+ABOUT_NOTES = {"long_name": "what the run's table warns of, by kinds"}
 
 
 def array_specs(plan: SweepPlan) -> Iterator[ArraySpec]:
@@ -38,8 +41,9 @@ def array_specs(plan: SweepPlan) -> Iterator[ArraySpec]:
         count = (len(found["values"]),)
         kind = "string" if isinstance(found["values"][0], str) else "float64"
         yield ArraySpec(dim, (dim,), count, count, kind, found["attributes"])
-    about = {"long_name": "how the run ended"}
-    yield ArraySpec(STATUS, ("run",), runs, size, "string", about)
+    yield ArraySpec(STATUS, ("run",), runs, size, "string", ABOUT_STATUS)
+    if plan.has_notes:
+        yield ArraySpec(NOTES, ("run",), runs, size, "string", ABOUT_NOTES)
     yield ArraySpec(REASON, ("run",), runs, size, "string", {"long_name": "why it broke"})
     about = {"long_name": "time of the last good frame of a broken run", "units": "s"}
     yield ArraySpec(BROKE_AT, ("run",), runs, size, "float64", about)

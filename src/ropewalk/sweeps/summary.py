@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ropewalk.record.note_kinds import KINDS, kinds_in
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.designs import plain_rows
@@ -31,6 +32,7 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
     """Return counts of runs by how they ended and why, and ranges of what was kept."""
     ended: Counter[str] = Counter()
     causes: Counter[str] = Counter()
+    notes: Counter[str] = Counter()
     plan = sweep.plan
     done, damaged = sweep.standing()
     plain, sample = range(plan.runs)[_plain(plan)], 0
@@ -39,6 +41,7 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
         rows = zip(plan.rows(number), status, strict=True)
         sample += sum(row in plain and one in GOOD for row, one in rows)
         pairs = zip(status, reason, strict=True)
+        notes.update(kind for one in sweep.notes(number) for kind in kinds_in(one))
         causes.update(cause(one, why) for one, why in pairs if one not in GOOD)
     return {
         "title": plan.title,
@@ -52,6 +55,8 @@ def summary(sweep: SweepFolder) -> dict[str, Any]:
         "batches done": len(done),
         "damaged": damaged,
         "ended": dict(ended),
+        "ended well": sum(count for one, count in ended.items() if one in GOOD),
+        "notes": {kind: notes[kind] for kind in KINDS if notes[kind]} if plan.has_notes else None,
         "causes": dict(causes.most_common(20)),
         "parameters": [dict(parameter) for parameter in plan.parameters],
         "kept": _kept(sweep, ranges=not damaged),

@@ -30,6 +30,7 @@ from ropewalk.sweeps.batch import Batch
 from ropewalk.sweeps.facts import read_facts
 from ropewalk.sweeps.store_layout import (
     DONE,
+    NOTES,
     OF_BROKEN,
     REASON,
     RUN,
@@ -203,7 +204,7 @@ class SweepFolder:
 
     def write(self, number: int, batch: Batch) -> None:
         """Write a batch, then its mark. Raises RunError when the disk refuses."""
-        columns = batch.arrays()
+        columns = {name: part for name, part in batch.arrays().items() if name in self.specs}
         whole = nothing_broke(columns)  # then two files would say nothing
         with writing(self.folder, "; what was marked before is kept"):
             check = self._seed
@@ -278,7 +279,8 @@ class SweepFolder:
     def batch_files(self, number: int, mark: int) -> list[Path]:
         """Return the files of a batch that its mark answers for, in order."""
         broken = () if mark & _NONE_BROKE else OF_BROKEN
-        names = (*(v.name for v in self.plan.variables), *broken, STATUS)
+        notes = (NOTES,) if self.plan.has_notes else ()
+        names = (*(v.name for v in self.plan.variables), *broken, *notes, STATUS)
         return [self._file(name, number) for name in names]
 
     def _file(self, name: str, number: int) -> Path:
@@ -335,7 +337,7 @@ class SweepFolder:
         if spec is not None and spec.dims[0] == "run" and number.isdecimal():
             first = int(number) * spec.chunk[0]
             where = f" ({runs_in_words(range(first, min(first + spec.chunk[0], self.plan.runs)))})"
-            results = {*OF_BROKEN, STATUS, *(v.name for v in self.plan.variables)}
+            results = {*OF_BROKEN, NOTES, STATUS, *(v.name for v in self.plan.variables)}
             remedy = "makes these runs again" if name in results else remedy
         return f"is damaged{where}: {why}; `ropewalk resume {typed(self.folder)}` {remedy}"
 
@@ -346,6 +348,11 @@ class SweepFolder:
             status = self._read_chunk(STATUS, number)[:count]
             broke = self._file(REASON, number).exists()
             yield status, self._read_chunk(REASON, number)[:count] if broke else [""] * count
+
+    def notes(self, number: int) -> list[str]:
+        """Return what is noted of the runs of a batch that is done."""
+        runs = len(self.plan.rows(number))
+        return self._read_chunk(NOTES, number)[:runs] if self.plan.has_notes else [""] * runs
 
     def _read_chunk(self, name: str, number: int) -> list[Any]:
         """Return a chunk's values. Raises OSError, ValueError when it is not there or damaged."""

@@ -13,10 +13,10 @@ import numpy as np
 from ropewalk.sweeps.batch import Recipe
 from ropewalk.sweeps.keep import Kept, parse
 
-FORMAT = 3
+FORMAT = 4
 #: Formats that can be read: 1 had chunks of values as small as a batch, and no copies of them; 2 had no
-#: checksum and no copy of what was asked, and marks that plain xarray took for data.
-READS = (1, 2, FORMAT)
+#: checksum and no copy of what was asked, and marks that plain xarray took for data; 3 had no notes.
+READS = (1, 2, 3, FORMAT)
 _PIECE = 65536  # runs whose values lie in one chunk, about
 
 
@@ -67,6 +67,11 @@ class SweepPlan:
         if self.format == 1:
             return self.batch
         return self.batch * min(max(1, _PIECE // self.batch), self.batches)
+
+    @property
+    def has_notes(self) -> bool:
+        """Whether it is kept what the table of each run warns of."""
+        return self.format > 3
 
     @property
     def pieces(self) -> int:

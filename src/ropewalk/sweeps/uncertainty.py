@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import warnings
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
@@ -16,6 +17,7 @@ from numpy.typing import NDArray
 
 from ropewalk.api import SceneLike, as_scene
 from ropewalk.record.errors import InputError
+from ropewalk.record.note_kinds import kinds_in, noted
 from ropewalk.scene import Scene, SceneError, loads
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.answer import stored
@@ -67,6 +69,11 @@ class Uncertainty:
     def sample(self) -> int:
         """Number of runs that the bands are of: those of the plain sample that ended well."""
         return len(_plain(self.runs).run)
+
+    @property
+    def notes(self) -> dict[str, int]:
+        """What the tables of the runs in the bands warn of: how many of them, by kind."""
+        return count_notes(_plain(self.runs))
 
     @property
     def few(self) -> bool:
@@ -294,7 +301,10 @@ def _note(runs: xr.Dataset, more: str) -> str:
             f"{broken} of {len(runs.run)} runs broke ({percent(share)}) and are not in the bands: they hold "
             "for the values that do not break."
         )
-    if (sample := len(_plain(runs).run)) < FEW:
+    plain = _plain(runs)
+    sample = len(plain.run)
+    told += [f"{text}." for _, text in noted(count_notes(plain), sample)]
+    if sample < FEW:
         planned = len(_planned(runs).run)
         why = "take 64 samples or more"
         if planned >= FEW:
@@ -304,6 +314,12 @@ def _note(runs: xr.Dataset, more: str) -> str:
             f"the largest that was met; {why}."
         )
     return " ".join([*told, more] if more else told)
+
+
+def count_notes(runs: xr.Dataset) -> dict[str, int]:
+    """Return how many of these runs have which kind of note; {} of a sweep made before there were any."""
+    texts = runs.notes.values.tolist() if "notes" in runs else []
+    return dict(Counter(kind for text in texts for kind in kinds_in(text)))
 
 
 def shares_in_words(sobol: xr.Dataset, name: str) -> list[str]:

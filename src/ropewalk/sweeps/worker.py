@@ -121,6 +121,7 @@ def packed(batch: Batch) -> dict[str, Any]:
     return {
         "status": batch.status,
         "reason": batch.reason,
+        "notes": batch.notes,
         "broke_at": np.asarray(batch.broke_at).tobytes(),
         "kept": {name: (array.shape, array.tobytes()) for name, array in batch.kept.items()},
     }
@@ -133,7 +134,7 @@ def unpacked(plain: dict[str, Any]) -> Batch:
         for name, (shape, data) in plain["kept"].items()
     }
     broke_at = np.frombuffer(plain["broke_at"], dtype=np.float64).tolist()
-    return Batch(list(plain["status"]), list(plain["reason"]), broke_at, kept)
+    return Batch(list(plain["status"]), list(plain["reason"]), broke_at, kept, list(plain["notes"]))
 
 
 def count_broken(status: list[str]) -> int:

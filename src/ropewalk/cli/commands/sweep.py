@@ -203,6 +203,7 @@ def _id(folder: Path) -> str:
 
 def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     """Say what is in a sweep's folder. With `checked` raises Refusal where batches are damaged."""
+    from ropewalk.record.note_kinds import noted
     from ropewalk.sweeps.repair import faults
     from ropewalk.sweeps.summary import summary
     from ropewalk.sweeps.sweep_folder import SweepFolder
@@ -240,6 +241,11 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
             f"of {counted(found['sample'], 'run')}, 5 % and 95 % are hardly more than the least and the "
             "largest met"
         )
+    print_table(
+        ("noted", "of the runs that ended well"), noted(found["notes"], found["ended well"])
+    )
+    if found["notes"] is None:
+        say("what the table of each run warns of was not kept yet when this sweep was made")
     causes = [(str(count), why) for why, count in found["causes"].items()]
     if causes:
         say("the numbers of what was kept are those of the runs that ended well alone")

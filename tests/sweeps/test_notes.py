@@ -1,0 +1,182 @@
+"""Every run of a sweep tells what a table of its own would warn of, by kinds that are counted."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ropewalk as rw
+from ropewalk.record.note_kinds import BETWEEN, KINDS, kinds, kinds_in, noted
+from ropewalk.record.turnover import share_turned, steady_note
+from ropewalk.scene import apply_overrides
+from ropewalk.sweeps.summary import summary
+from ropewalk.sweeps.sweep_folder import SweepFolder
+from sweeps.scenes import EA, STIFF, of_format, store_bytes, swing
+
+MASS = "rope.load.mass"
+FALL = ["run.duration=0.3", "rope.made_of.breaking_load=6000"]
+PARTS = "rope.made_of.parts=true"
+#: Which row of a table is told as which kinds; of others no note is kept.
+ROWS = {
+    "largest tension": ("peak may be wrong", "peak may be too low", "end weight"),
+    "least tension": ("push",),
+    "largest stretch": ("beyond curve",),
+    "largest anchor force": ("mean anchor force",),
+    "largest clamp moment": ("clamp moment too low",),
+    "hard stops": ("hard stop",),
+    "largest utilisation of the breaking load": ("guess",),
+    "stretch limiter": ("limiter gives energy",),
+    "obstacles": ("inside obstacle",),
+}
+
+
+def fall(*more: str) -> rw.Scene:
+    """A climber's fall on a rope that bears 6 kN."""
+    return apply_overrides(rw.preset("climbing-fall"), [*FALL, *more])
+
+
+def kinds_of_table(result: rw.Result) -> set[str]:
+    """What kinds a run's table has, by its rows."""
+    table, found = result.table, set()
+    for row, known in ROWS.items():
+        if f"about the {row}" in table or f"about {row}" in table:
+            text = table.get(f"about the {row}") or table[f"about {row}"]
+            found.add(known[0] if len(known) == 1 else _of_tension(text))
+    if result.status != "at rest" and "about the energy" in table:
+        worst = float(np.nanmax(np.abs(result.energy_errors), initial=0.0))
+        if not steady_note(result, worst, share_turned(result)):
+            found.add("energy not kept")
+    parted = table.get("segments parted", 0) > 0
+    found |= {"parted"} if parted else set()
+    if table.get("largest utilisation of the breaking load [%]", 0.0) > 100.0 and not parted:
+        found.add("above breaking load")
+    return found
+
+
+def _of_tension(text: str) -> str:
+    words = {"a jerk": "peak may be wrong", " lost ": "peak may be too low"}
+    return next((kind for part, kind in words.items() if part in text), "end weight")
+
+
+#: Scenes that between them have most kinds, with the kinds that each is there for.
+NOTED = [
+    (lambda: fall(PARTS), "parted"),
+    (fall, "above breaking load"),
+    (lambda: apply_overrides(rw.preset("r4"), ["run.duration=1.0"]), "peak may be wrong"),
+    (lambda: swing(0.1), "end weight"),
+    (lambda: apply_overrides(swing(0.1), ["run.extremes=false"]), "end weight"),
+    (lambda: apply_overrides(rw.preset("hanging-rope"), ["run.duration=0.3"]), "push"),
+    (
+        lambda: apply_overrides(
+            rw.preset("r4"), ["run.duration=1.0", "run.method=implicit-euler", "run.time_step=0.02"]
+        ),
+        "peak may be too low",
+    ),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("make", "kind"), NOTED)
+def test_a_run_is_noted_as_its_table_warns(make: object, kind: str) -> None:
+    result = rw.simulate(make())  # type: ignore[operator]
+    assert set(kinds(result)) == kinds_of_table(result)
+    assert kind in kinds(result)
+    assert list(kinds(result)) == [one for one in KINDS if one in kinds(result)]
+
+
+def test_a_rope_that_parts_is_noted_in_every_run_and_counted(tmp_path: Path) -> None:
+    masses = [60.0, 80.0, 100.0]
+    ds = rw.sweep(fall(PARTS), {MASS: masses}, store=tmp_path / "s", on="here", progress=False)
+    own = [rw.simulate(fall(PARTS, f"{MASS}={mass}")) for mass in masses]
+    assert [bool(one.partings) for one in own] == ["parted" in text for text in ds.notes.values]
+    assert ds.notes.values.tolist() == [BETWEEN.join(kinds(one)) for one in own]
+    told = summary(SweepFolder.open(tmp_path / "s"))
+    assert told["notes"]["parted"] == 3
+    words = dict(noted(told["notes"], told["ended well"]))["parted"]
+    assert words == "3 of 3 runs parted: their largest tension is where they parted"
+    whole = rw.sweep(fall(), {MASS: masses}, on="here", progress=False)  # the twin does not part
+    assert not any("parted" in text for text in whole.notes.values)
+    assert all("above breaking load" in text for text in whole.notes.values)
+
+
+def test_a_run_that_breaks_has_a_reason_and_no_note(tmp_path: Path) -> None:
+    here = rw.sweep(swing(), {EA: STIFF}, on="here")
+    there = rw.sweep(swing(), {EA: STIFF}, on="here", store=tmp_path / "s")
+    assert here.notes.values.tolist() == there.notes.values.tolist()
+    assert list(here.status.values) == ["finished", "finished", "broke"]
+    assert [bool(text) for text in here.notes.values] == [True, True, False]
+    assert here.notes.attrs == there.notes.attrs
+    frame = here[["tension_max", "status", "notes"]].to_dataframe()
+    assert "end weight" in frame.to_csv()
+
+
+def test_bands_say_what_their_runs_are_noted_for() -> None:
+    spread = {MASS: (72.0, 88.0)}
+    found = rw.uncertain(fall(PARTS), spread, samples=4, seed=1, on="here", progress=False)
+    assert found.notes["parted"] == found.sample
+    assert f"{found.sample} of {found.sample} runs parted: their largest tension" in found.note
+    whole = rw.uncertain(rw.preset("climbing-fall"), spread, samples=4, seed=1, on="here")
+    assert "parted" not in whole.note
+
+
+def test_a_function_has_the_notes_of_its_last_runs() -> None:
+    with rw.sweep.function(fall(PARTS), [MASS], ["tension.max"]) as f:
+        f([[80.0], [90.0]])
+        assert all("parted" in kinds_in(text) for text in f.last.notes)
+
+
+def test_an_equilibrium_is_noted_as_its_table_warns() -> None:
+    scene = rw.preset("hanging-rope")
+    ds = rw.sweep(scene, {"rope.length": [11.0, 12.0]}, what="rest", on="here")
+    for length, text in zip(ds.length.values.tolist(), ds.notes.values.tolist(), strict=True):
+        own = rw.equilibrium(apply_overrides(scene, [f"rope.length={length}"]))
+        assert set(kinds_in(text)) == kinds_of_table(own)
+    assert ds.notes.values[0]
+
+
+def test_a_sweep_made_before_there_were_notes_opens_and_goes_on(tmp_path: Path) -> None:
+    """Of format 3: no column, no count, no file; the rest to the bits of a new one."""
+    ask = {"on": "here", "batch": 1, "keep": "tension.max"}
+    new = rw.sweep(swing(), {EA: STIFF[:2]}, store=tmp_path / "new", **ask)
+    with of_format(3):
+        old = rw.sweep(swing(), {EA: STIFF[:2]}, store=tmp_path / "old", **ask)
+    assert "notes" not in old
+    assert old.tension_max.values.tolist() == new.tension_max.values.tolist()
+    folder = SweepFolder.open(tmp_path / "old")
+    folder.unmark([1])
+    again = rw.sweep.resume(tmp_path / "old", on="here")
+    assert again.tension_max.values.tolist() == new.tension_max.values.tolist()
+    told = summary(SweepFolder.open(tmp_path / "old"))
+    assert told["notes"] is None
+    assert not any("notes" in name for name in store_bytes(tmp_path / "old"))
+    assert json.loads((tmp_path / "old" / "sweep.json").read_text())["format"] == 3
+
+
+def test_utilisation_and_safety_factor_are_those_of_the_table() -> None:
+    keep = ["utilisation.max", "safety_factor.min", "utilisation.max[time]"]
+    ds = rw.sweep(fall(), {MASS: [60.0, 90.0]}, keep=keep, on="here", progress=False)
+    for mass in (60.0, 90.0):
+        table, at = rw.simulate(fall(f"{MASS}={mass}")).table, ds.sel(mass=mass)
+        share = table["largest utilisation of the breaking load [%]"]
+        assert float(at.utilisation_max) == pytest.approx(share / 100.0, rel=1e-14)
+        assert float(at.utilisation_max_time.max()) == float(at.utilisation_max)
+        factor = table["least safety factor [1]"]
+        assert float(at.safety_factor_min) == pytest.approx(factor, rel=1e-14)
+    assert ds.utilisation_max.attrs["units"] == "1"
+
+
+def test_utilisation_at_rest_is_what_the_anchor_bears() -> None:
+    scene = apply_overrides(rw.preset("suspension-cable"), ["rope.made_of.breaking_load=1e6"])
+    keep = ["utilisation.max", "safety_factor.min"]
+    ds = rw.sweep(scene, {"gravity[2]": [-9.81]}, keep=keep, what="rest", on="here")
+    table = rw.equilibrium(scene).table
+    share = table["largest utilisation of the breaking load [%]"] / 100.0
+    assert ds.utilisation_max.item() == pytest.approx(share, rel=1e-14)
+    assert ds.safety_factor_min.item() == pytest.approx(1.0 / share, rel=1e-14)
+
+
+def test_utilisation_needs_a_breaking_load() -> None:
+    with pytest.raises(rw.SceneError, match="no rope has a breaking_load"):
+        rw.sweep(swing(), {EA: [1e3, 2e3]}, keep="utilisation.max", on="here")
