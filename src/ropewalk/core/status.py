@@ -6,6 +6,7 @@ OK = 0
 BROKEN = 1  # not finite, stretched beyond BREAK_STRETCH, or with energy that was MADE_UP
 UNSOLVED = 2  # an implicit method found no solution of a step
 HIT = 4  # a step of an implicit method has hit something and is to be taken anew by implicit Euler
+GAINED = 5  # such a step makes up energy, and is to be taken in parts
 PAUSED = 3  # the adaptive method has taken as many steps as one call may
 
 # A segment this many times its rest length [1] counts as broken simulation, not as rope; three times

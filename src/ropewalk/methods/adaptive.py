@@ -47,6 +47,7 @@ from ropewalk.methods.controller import (
     shorter,
 )
 from ropewalk.methods.crossings import crossings, mark_sides
+from ropewalk.methods.halves import LAST
 from ropewalk.methods.impacts import rest_links
 from ropewalk.methods.implicit import (
     ImplicitScratch,
@@ -217,7 +218,7 @@ def land(system, state, before, scratch, t, after, dt, ledger):
         return short, -1
     put_row(scratch.walk.begin, scratch.walk.ahead)
     scratch.walk.control[ERROR] = 0.0
-    status = try_once(system, state, solver, t, after, dt, ledger, solver.rescue)
+    status = try_once(system, state, solver, t, after, dt, ledger, solver.halves[LAST])
     if status == OK:
         rest_links(system, state, solver.stage, dt, ledger)
     return (0.0, 1) if status == OK else (UNSOLVED_SHARE * dt, 0)

@@ -31,8 +31,13 @@ MOST, MOST_OF_ANY = 0.002, 0.05
 
 
 @part
-def most_of(system, level):
-    """Return what a part of a step that was halved so often may make up [1]; with bending what any may."""
+def most_of(system, level, soft):
+    """Return what a part of a step that was halved so often may make up [1]; with bending what any may.
+
+    By implicit Euler, which is `soft`. By the method itself all parts together may no more than the whole.
+    """
+    if not soft:
+        return (MOST_OF_ANY if has_bending(system) else MOST) / 2.0**level
     return MOST_OF_ANY if has_bending(system) else min(MOST * 2.0**level, MOST_OF_ANY)
 
 

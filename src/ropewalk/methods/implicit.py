@@ -1,9 +1,9 @@
 """Implicit methods: tables of coefficients over the stage solve of `stage`.
 
 One kernel serves all; `tableaus` has the coefficients. A step that finds no solution, or makes up energy,
-is taken in halves, and these in halves again, by implicit Euler. So are, in one piece, a step in which a
-contact or a bound of the stretch stops much (`impacts`), and the next one: else the impulse would be taken
-for a force that lasts. The work
+is taken in halves, and these in halves again, by implicit Euler; but what makes up energy first in halves
+by the method itself (`halves`). So are, in one piece, a step in which a contact or a bound of the stretch
+stops much (`impacts`), and the next one: else the impulse would be taken for a force that lasts. The work
 ledger is exact: every method's change of momentum is the step times a mean of forces,
     DIRK                m (v1 - v0) = h sum b_s F_s
     BDF2                m (v1 - v0) = h (F' / 3 + 2/3 F),   F' the mean of the step before
@@ -17,8 +17,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Forces, State, System, blank
-from ropewalk.core.jit import deferred, kernel, part
-from ropewalk.core.status import HIT, OK, UNSOLVED
+from ropewalk.core.jit import deferred, part
+from ropewalk.core.status import GAINED, HIT, OK, UNSOLVED
 from ropewalk.laws.anchors import move_anchors, place_stage
 from ropewalk.laws.couplings import AGAIN, FINE, brace_couplings, couples, meet_on_way
 from ropewalk.laws.elastic import CHANGE
@@ -40,8 +40,9 @@ from ropewalk.laws.winch_books import book_begin, book_end, book_memory
 from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
+from ropewalk.methods.halves import LAST, carries_on, halves_of, most_stages
 from ropewalk.methods.impacts import is_soft, is_struck, rest_links, strike
-from ropewalk.methods.loop import make_advance, nodes_out, prepare_links
+from ropewalk.methods.loop import make_advance, prepare_links
 from ropewalk.methods.part_lengths import (
     MOST_HALVINGS,
     MOST_PARTS,
@@ -70,7 +71,7 @@ from ropewalk.methods.scratch import (
 from ropewalk.methods.stage import Stage, make_stage
 from ropewalk.methods.stage_report import SPLITS, TIME
 from ropewalk.methods.starts import Starts, make_starts, take_start
-from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, SDIRK2, Tableau
+from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
 from ropewalk.methods.window import Windows, make_windows, solve_stage
 
@@ -93,14 +94,14 @@ class ImplicitScratch(NamedTuple):
     turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
     look: Look
     starts: Starts  # of the stages of a step that was looked at already
-    rescue: Tableau  # of the method that takes the parts of a step without solution
+    halves: tuple[Tableau, Tableau, Tableau]  # of the methods that take them, see `halves`
+    anew: Tableau  # of the method that BDF2 begins anew by after halves
 
 
 def make_implicit_scratch(system: System, state: State, tableau: Tableau) -> ImplicitScratch:
     """Return working arrays that fit `state` and the method."""
     rigid = bool(np.isinf(state.stiffness).any()) or state.forces.limiter.size > 0
-    stages = tableau.stages if not rigid else tableaus.ESDIRK3.stages
-    most = max(stages, SDIRK2.stages)
+    most = most_stages(tableau)
     stage = make_stage(state)
     return ImplicitScratch(
         stage=stage,
@@ -117,8 +118,9 @@ def make_implicit_scratch(system: System, state: State, tableau: Tableau) -> Imp
         joint_force=np.zeros_like(state.joint_force),
         turning=make_turning(state),
         look=make_look(state),
-        starts=make_starts(state, most),
-        rescue=tableaus.IMPLICIT_EULER,
+        starts=make_starts(state, tableau.stages),
+        halves=halves_of(tableau, rigid),
+        anew=tableaus.ESDIRK3,
     )
 
 
@@ -188,8 +190,9 @@ def end_stages(system, state, scratch, t, after, dt, level, kind, A, b, struck):
     if winds(system, state):  # what the ends store is compared at the mean length
         wind_to(system, state, 0.5 * (t + after), scratch.turning)
     if watch and ends_here:
-        if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most_of(system, level)):
-            return UNSOLVED
+        most = most_of(system, level, is_soft(kind, A))
+        if makes_up_energy(system, state, stage, scratch.ends, mean, dt, most):
+            return GAINED
     free = stage.saddle.band.frozen[0] == 0 and not is_soft(kind, A)
     if watch and free and struck:
         return HIT
@@ -231,10 +234,10 @@ def take_beginning(system, state, scratch, t, weight, s):
 def take_step(
     system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm, last
 ):
-    """Take one step from time `t` [s]; return OK, or UNSOLVED or HIT with the state as it was.
+    """Take one step from time `t` [s]; return OK, or UNSOLVED, GAINED or HIT with the state as it was.
 
-    It is one of 2^level parts. But for the smallest, one that makes up energy counts as unsolved, and one
-    that hits something is told. `warm` begins with the last solution of the same step. `last` [s] is the
+    It is one of 2^level parts. But for the smallest, one that makes up energy is told, and one that hits
+    something. `warm` begins with the last solution of the same step. `last` [s] is the
     length of the part before, in the first that of the whole.
     """
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
@@ -310,40 +313,34 @@ def take_step(
     return OK
 
 
-@kernel
-def follows(dt, held, exits, past):
-    """Tell whether the step goes on as the last one did: same length, same anchors and winch exits."""
-    holding, out = 0.0, nodes_out(exits)
-    for row in range(held.shape[0]):
-        holding += held[row]
-    same = past[0] == dt and past[1] == holding and past[2] == out
-    past[0], past[1], past[2] = dt, holding, out
-    return same
-
-
 @part
 def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
     The step is part `place` of 2^level parts; one that finds no solution is halved. Parts grow again after
     `need` of them, and where the longer one fails it takes twice as many the next time; where many touch, in
-    the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit Euler.
+    the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit Euler;
+    one that makes up energy is taken as `halves` says.
     """
+    rescue = scratch.halves[LAST]
     kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
-    if not follows(dt, state.held, state.winch_exit, state.past) and kind == BDF2:
+    follows, after_halves = carries_on(dt, state.held, state.winch_exit, state.past)
+    if not follows and kind == BDF2:
         kind = DIRK
+        if after_halves:
+            A, b, c = scratch.anew.A, scratch.anew.b, scratch.anew.c
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
     carried = is_soft(kind, A) and carries_parts(system, state)
     level, run, need, climbed = begin_parts(state.past, dt, carried)
-    place, last = 0, dt
+    place, last, turn = 0, dt, -1
     fixed = scratch.stage.saddle.band.frozen[0] == 0
     status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
     while True:
         warm = status == HIT and is_soft(kind, A)
         if status == HIT and fixed:  # its impulse is not to be carried on as a force
-            kind, A, b, c = DIRK, scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
+            kind, A, b, c = DIRK, rescue.A, rescue.b, rescue.c
             state.past[0] = 0.0
         h = dt / 2.0**level
         begin = t + place * h
@@ -370,15 +367,18 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
                 level, place = level - 1, place // 2
         elif status == HIT:
             continue
+        elif not is_soft(kind, A):  # halves by the next method
+            turn = turn + 1 if status == GAINED else LAST
+            one = scratch.halves[turn]
+            level, kind, A, b, c = 1, DIRK, one.A, one.b, one.c
+            state.past[0] = 0.0 if is_soft(kind, A) else 0.5 * dt
         elif level == MOST_HALVINGS:
             clear_parts(scratch.reaction)  # the run may go on from an earlier state
             clear_parts(scratch.joint_force)
             break
         else:
             need = min(2 * need, MOST_PARTS) if climbed else need
-            level, place, run, climbed, kind = level + 1, 2 * place, 0, False, DIRK
-            A, b, c = scratch.rescue.A, scratch.rescue.b, scratch.rescue.c
-            state.past[0] = 0.0
+            level, place, run, climbed = level + 1, 2 * place, 0, False
     keep_parts(state.past, dt, carried and status == OK, level, run, need)
     if status != OK and winds(system, state):  # the state is as it was before the part that failed
         cut_short(system, state, begin, scratch.turning)
