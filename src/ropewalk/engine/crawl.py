@@ -23,7 +23,7 @@ def ends_of(scene: Scene, *, slack: bool) -> list[str]:
         **{
             f"nodes reach and leave the {law.section}": bool(getattr(scene, law.section))
             for law in NODE_LAWS
-            if law.crossings is not None
+            if law.crossings is not None and law.section != "contact"
         },
         "ropes strike each other": scene.contact is not None,
     }

@@ -44,13 +44,11 @@ def less(a, b):
 
 
 @kernel
-def nearest(x, y, share, i, j):
-    """Return the nearest points of two segments, 0 to 1 each, and their distance [m].
+def nearest_of(a, b, c, e):
+    """Return the nearest points of two segments, 0 to 1 each, from a to b and c to e, and their distance [m].
 
-    At a share of the way from x to y, (3, n). Of parallel ones the middle of what lies side by side.
+    Of parallel ones the middle of what lies side by side.
     """
-    a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
-    c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
     u, w, r = less(b, a), less(e, c), less(a, c)
     uu, ww, uw = max(product(u, u), 1e-300), max(product(w, w), 1e-300), product(u, w)
     ur, wr = product(u, r), product(w, r)
@@ -68,6 +66,14 @@ def nearest(x, y, share, i, j):
         t, s = 1.0, held((uw - ur) / uu)
     d = (r[0] + s * u[0] - t * w[0], r[1] + s * u[1] - t * w[1], r[2] + s * u[2] - t * w[2])
     return s, t, math.sqrt(product(d, d))
+
+
+@kernel
+def nearest(x, y, share, i, j):
+    """Return the same of segments i and j at a share of the way from x to y, (3, n)."""
+    a, b = on_way(x, y, share, i), on_way(x, y, share, i + 1)
+    c, e = on_way(x, y, share, j), on_way(x, y, share, j + 1)
+    return nearest_of(a, b, c, e)
 
 
 @kernel

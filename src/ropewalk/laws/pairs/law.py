@@ -25,6 +25,7 @@ from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces,
 from ropewalk.laws.pairs.heaps import leads
 from ropewalk.laws.pairs.offsets import swap_offsets
 from ropewalk.laws.pairs.pair_books import book_pairs
+from ropewalk.laws.pairs.pair_events import pair_events
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
 from ropewalk.laws.pairs.search import note_ropes
@@ -59,9 +60,7 @@ if TYPE_CHECKING:
     from ropewalk.scene.slide import Slide
 
 SKIN = 0.5  # [1] how far lists of pairs look ahead, over the largest diameter
-RIGID = (
-    100.0  # [1] stiffness of a contact of rigid links that is pressed far, over that pressed little
-)
+RIGID = 100.0  # [1] stiffness of a contact of rigid links pressed far, over that pressed little
 NEIGHBOURS = 0.8 * math.pi  # [1] rope on each side that counts as neighbour, over its radius
 ROWS, LISTED = 16, 40  # contacts, and pairs nearby, that there is room for, per segment
 LEAST_ROWS = 256
@@ -381,6 +380,7 @@ CONTACT = NodeLaw(
     remember=remember,
     book=book,
     channels=channels,
+    crossings=pair_events,
     hits=hits,
     touch=touch,
     rounding=rounding,
