@@ -8,6 +8,7 @@ import pytest
 import ropewalk as rw
 from ropewalk.scene import Anchor, Load, Material, Plane, Rope, Scene, Slack, Straight, Winch
 from ropewalk.sweeps.keep import DERIVED, parse
+from sweeps.scenes import swing
 
 CORD = Material(EA=2e4, mass_per_length=0.2, axial_damping=20.0)
 
@@ -67,3 +68,25 @@ def test_what_parts_or_is_reeled_in_between_two_frames_has_its_peak(
     of_each, _ = parse("tension.max[segment]").of(result)
     assert (of_each[gone] > 5.0).all()
     np.testing.assert_array_equal(of_each[~result.live.any(axis=0)], np.nan)
+
+
+PICKED = [
+    ("tension[:,3].max", lambda r: r.greatest_tension[:, 3].max()),
+    ("tension[:,0].max[time]", lambda r: r.greatest_tension[:, 0]),
+    ("elastic_tension[:,-1].max", lambda r: r.elastic_tension[:, -1].max()),
+    ("tension[-1].max", lambda r: r.tension[-1].max()),
+]
+
+
+@pytest.mark.parametrize(("text", "own"), PICKED)
+def test_one_segment_or_frame_is_kept_as_the_run_has_it(text: str, own: object) -> None:
+    result = rw.simulate(swing(0.1))
+    kept, _ = parse(text).of(result)
+    np.testing.assert_array_equal(kept, own(result))  # type: ignore[operator]
+
+
+def test_what_is_kept_of_a_part_is_named_by_the_part() -> None:
+    assert parse("tension[-1].max").long_name == "largest tension (tension[-1].max)"
+    name = "largest anchor's force on the rope (reactions[:,top,1].max), over the recorded frames"
+    assert parse("reactions[:,top,1].max").long_name == name
+    assert parse("tension.max").long_name == "largest tension, over all steps"

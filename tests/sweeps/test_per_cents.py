@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.plots.sweeps import _rank_correlation
+from ropewalk.plots.ranks import rank_correlation
 from ropewalk.record.errors import InputError
 from ropewalk.scene import SceneError
 from ropewalk.scene.presets import preset
@@ -139,5 +139,5 @@ def test_what_a_result_follows_is_by_ranks_of_which_equal_ones_share_theirs() ->
     values = np.meshgrid(np.arange(2.0), np.arange(2.0), np.arange(25.0), indexing="ij")
     none, some, most = (one.ravel() for one in values)
     y = most + 3.0 * some
-    assert _rank_correlation(none, y) == pytest.approx(0.0, abs=1e-12)
-    assert 0.15 < _rank_correlation(some, y) < 0.25 < _rank_correlation(most, y)
+    assert rank_correlation(none, y) == pytest.approx(0.0, abs=1e-12)
+    assert 0.15 < rank_correlation(some, y) < 0.25 < rank_correlation(most, y)

@@ -27,13 +27,14 @@ def tell_bands(folder: Path, *, as_json: bool, quiet: bool = False) -> None:
         return
     columns = (
         "result",
+        "over",
         "5 %",
         "50 %",
         "95 %",
         "unit",
         "follows (total Sobol index, 95 % interval)",
     )
-    print_table(columns, text_rows(found), right=(1, 2, 3))
+    print_table(columns, text_rows(found), right=(2, 3, 4))
     if found.note:
         tell(found.note)
     say(f"seed of the samples: {found.runs.attrs['seed']}")

@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ropewalk.plots.pairs import Column, draw_pairs
+from ropewalk.plots.ranks import rank_correlation
 from ropewalk.plots.style import (
     COLOURS,
     FAINT,
@@ -34,6 +35,7 @@ _FEW = 5  # values, each with a tick of its own
 #: Room that a tick's text takes up, as shares of a map's sides: a letter and a gap across, a line down.
 _LETTER, _GAP, _LINE = 0.024, 0.03, 0.06
 _MOST_POINTS = 5000
+_MOST_LINES = 100  # runs drawn one by one
 _MOST_PAIRED = 5  # parameters drawn against each other: those that the result follows most
 
 
@@ -296,7 +298,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
     step = max(1, int(good.sum()) // _MOST_POINTS)
     xs = {p: _numbers(table[p]) for p in parameters}
     words = _short(data[name].attrs["long_name"])
-    strongest = max(parameters, key=lambda p: _rank_correlation(xs[p][0][good], y[good]))
+    strongest = max(parameters, key=lambda p: rank_correlation(xs[p][0][good], y[good]))
     for place, (axes, parameter) in enumerate(zip(panels.flat, shown, strict=False)):
         x, labels = xs[parameter]
         by = strongest if parameter != strongest else _next(parameters, strongest, xs, y, good)
@@ -313,7 +315,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
             axes.set_ylabel(f"{words} [{data[name].attrs['units']}]")
     for axes in list(panels.flat)[len(shown) :]:
         axes.set_visible(False)
-    strong = sorted(parameters, key=lambda p: -_rank_correlation(xs[p][0][good], y[good]))[:paired]
+    strong = sorted(parameters, key=lambda p: -rank_correlation(xs[p][0][good], y[good]))[:paired]
     pairs = [
         Column(f"{p} [{table[p].attrs.get('units', '1')}]", *xs[p])
         for p in parameters
@@ -338,20 +340,7 @@ def _next(
     parameters: list[str], but: str, xs: dict[str, Any], y: Floats, good: NDArray[np.bool_]
 ) -> str:
     others = [p for p in parameters if p != but]
-    return max(others, key=lambda p: _rank_correlation(xs[p][0][good], y[good]))
-
-
-def _rank_correlation(x: Floats, y: Floats) -> float:
-    """Return the size of Spearman's rank correlation [1]."""
-    if len(x) < 3 or np.ptp(x) == 0.0 or np.ptp(y) == 0.0:
-        return 0.0
-    return abs(float(np.corrcoef(_ranks(x), _ranks(y))[0, 1]))
-
-
-def _ranks(values: Floats) -> Floats:
-    """Return the place of every value among all, of equal ones the mean."""
-    _, place, count = np.unique(values, return_inverse=True, return_counts=True)
-    return np.asarray((np.cumsum(count) - 0.5 * (count + 1))[place])
+    return max(others, key=lambda p: rank_correlation(xs[p][0][good], y[good]))
 
 
 def _table(data: xr.Dataset, parameters: list[str]) -> xr.Dataset:
@@ -364,7 +353,10 @@ def _table(data: xr.Dataset, parameters: list[str]) -> xr.Dataset:
 
 
 def _band(data: xr.Dataset, name: str) -> Figure:
-    """The median and the band that holds 90 % of the runs, against time."""
+    """The median and the band that holds 90 % of the runs, against time; single runs against frames.
+
+    Where runs have frames at different times their numbers are nothing to compare runs by.
+    """
     whole = data
     if "run" in data[name].dims:
         data = data.isel(run=plain_rows(data.attrs["design"], len(_parameters(data))))
@@ -373,7 +365,7 @@ def _band(data: xr.Dataset, name: str) -> Figure:
     axes = figure.subplots()
     time = "time" if "time" in data[name].dims else "frame"
     x = data[time].values if time in data.coords else np.arange(data.sizes[time])
-    largest, of = 0.0, 0
+    largest, of, together = 0.0, 0, time == "time"
     for number, (label, part) in enumerate(parts):
         swept = [dim for dim in part.dims if dim != time]
         values = part.transpose(*swept, time).values.reshape(-1, part.sizes[time])
@@ -381,18 +373,33 @@ def _band(data: xr.Dataset, name: str) -> Figure:
         if not len(values):
             raise ValueError(f"cannot draw {name!r}: no run ended well")
         of = max(of, len(values))
-        low, middle, high = np.nanquantile(values, BAND, axis=0)
         style = line_style(number)
-        axes.fill_between(x, low, high, color=style["color"], alpha=0.25, linewidth=0.0)
-        axes.plot(x, middle, label=label, **style)
-        largest = max(largest, float(np.nanmax(np.abs(high))))
+        if together:
+            _draw_band(axes, x, values, label, style)
+        else:
+            step = -(-len(values) // _MOST_LINES)
+            axes.plot(x, values[::step].T, **style | {"linewidth": 0.6, "alpha": 0.5})
+            axes.plot([], [], label=label, **style)
+        largest = max(largest, float(np.nanmax(np.abs(values))))
     scaled_axis(
         axes, _wrapped(_short(data[name].attrs["long_name"])), data[name].attrs["units"], largest
     )
     axes.set_xlabel("time [s]" if time == "time" else "frame")
     if len(parts) > 1:
         axes.legend()
-    runs = f"{of} run{'s' * (of > 1)}"
-    set_note(figure, [f"Line: median of {runs}; band: 5 % to 95 % of them at each time."])
+    runs, shown = f"{of} run{'s' * (of > 1)}", min(of, _MOST_LINES)
+    note = f"Line: median of {runs}; band: 5 % to 95 % of them at each time."
+    if not together:
+        note = f"Lines: {shown} of {runs}, whose frames are at different times: no median, no band."
+    set_note(figure, [note])
     _title(figure, whole, name)
     return figure
+
+
+def _draw_band(
+    axes: Axes, x: NDArray[Any], values: Floats, label: str, style: dict[str, Any]
+) -> None:
+    """Draw median and band of (runs, times) values."""
+    low, middle, high = np.nanquantile(values, BAND, axis=0)
+    axes.fill_between(x, low, high, color=style["color"], alpha=0.25, linewidth=0.0)
+    axes.plot(x, middle, label=label, **style)

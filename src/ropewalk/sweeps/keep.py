@@ -146,6 +146,12 @@ DERIVED: dict[str, Derived] = {
 }
 
 
+def over(long_name: str) -> str:
+    """Return what a variable is the largest, least or mean over, by its name in words; "" of neither."""
+    found = long_name.rpartition(", over ")[2] if ", over " in long_name else ""
+    return found.removeprefix("the ")
+
+
 @dataclass(frozen=True)
 class Kept:
     """One thing kept of every run; makes one variable of the answer."""
@@ -169,6 +175,7 @@ class Kept:
         if self.reducer is None:
             return words + (f" ({self.text})" if self.picks is not None else "")
         what = f"{_REDUCERS[self.reducer][0]} {words}"
+        what += f" ({self.text})" if self.picks is not None else ""  # a part of it alone
         time_too = "time" not in self.but and self._frame() is None
         seen = "over all steps" if self.of_steps is not None else "over the recorded frames"
         return f"{what}, {seen}" if time_too else what
@@ -220,6 +227,7 @@ class Kept:
             array = told(result, self.quantity, result.read(self.quantity))
         else:
             raise KeyError(f"the runs have no {self.quantity}; there is {_known(result)}")
+        whole = dims
         if self.picks is not None:
             array, dims = self._picked(result, array, dims)
         if self.reducer is None:
@@ -227,7 +235,7 @@ class Kept:
         if self.quantity in _OF_ROPE:  # none where there is no rope
             there = result.live if self.of_steps is None else had_rope(result)
             if self.picks is not None:
-                there = self._picked(result, there, dims)[0]
+                there = self._picked(result, there, whole)[0]
             array = np.where(there, array, np.nan)
         return self._reduced(array, dims)
 

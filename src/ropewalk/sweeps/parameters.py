@@ -221,13 +221,16 @@ def _refuse_overlaps(places: Places) -> None:
 
 
 def without_units(path: str, what: Any, unit: str) -> Any:
-    """Return a range or a list with texts such as "12 mm" as numbers of `unit`; anything else as it is."""
+    """Return a range or values with texts such as "12 mm" as numbers of `unit`; anything else as it is."""
+    if hasattr(what, "__array__") and np.asarray(what).dtype.kind in "OUT":  # a column of a table
+        what = np.atleast_1d(np.asarray(what)).tolist()
     if not unit or not isinstance(what, list | tuple) or not any(isinstance(v, str) for v in what):
         return what
     found = [in_unit(value, unit) if isinstance(value, str) else value for value in what]
     wrong = next((one for one in found if isinstance(one, WrongUnit)), None)
     if wrong is not None:
         raise SceneError([Fault(path, wrong.given, wrong.rule)])
+    found = [as_value(one) if isinstance(one, str) else one for one in found]  # a bare number
     if any(isinstance(one, str) for one in found):  # a word among them, such as "auto"
         return what
     return tuple(found) if isinstance(what, tuple) else found

@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from ropewalk.record.note_kinds import KINDS, kinds_in
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
-from ropewalk.sweeps.designs import plain_rows
+from ropewalk.sweeps.designs import GIVEN, GRID, plain_rows
 from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.sweep_plan import SweepPlan
 
 _MOST_NUMBERS = 10_000_000  # that quantiles are made of
+IN_ROWS = (GRID, GIVEN)  # designs whose first runs are no sample of them all
 _NUMBER = re.compile(r"[-+]?\d+(\.\d+)?(e[-+]?\d+)?", re.IGNORECASE)
 
 
@@ -69,10 +70,12 @@ def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
 
     Least and largest are of all of them, what lies between of the plain sample, as the bands of `uncertain`.
     Of what is one number a run, anchor by anchor and rope by rope: mixed with places and times they would
-    mean nothing. Without `ranges` no quantiles: they would read damaged batches.
+    mean nothing. Of the first rows of a grid or a table nothing lies between that would be of them all.
+    Without `ranges` no quantiles: they would read damaged batches.
     """
     data = stored(sweep) if ranges else None
     found, plain = [], _plain(sweep.plan)
+    whole = sweep.plan.design not in IN_ROWS or bool((data is None) or (data.status != "").all())
     for variable in sweep.plan.variables:
         about: dict[str, Any] = {
             "name": variable.name,
@@ -84,13 +87,13 @@ def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
         if data is None or variable.numbers * sweep.plan.runs > _MOST_NUMBERS:
             found.append(about)
         elif not variable.dims:
-            found.append(about | _quantiles(data[variable.name].values, plain))
+            found.append(about | _quantiles(data[variable.name].values, plain, whole))
         elif variable.dims in (("anchor",), ("rope",)):
             (dim,) = variable.dims
             for place, label in enumerate(sweep.plan.coordinates[dim]["values"]):
                 part = data[variable.name].isel({dim: place})
                 one = {"name": f"{variable.name}[{label}]", "dims": [], "sizes": []}
-                found.append(about | one | _quantiles(part.values, plain))
+                found.append(about | one | _quantiles(part.values, plain, whole))
         else:
             found.append(about)
     return found
@@ -100,10 +103,12 @@ def _plain(plan: SweepPlan) -> slice:
     return plain_rows(plan.design, len(plan.parameters))
 
 
-def _quantiles(values: NDArray[np.float64], plain: slice) -> dict[str, list[float]]:
+def _quantiles(values: NDArray[np.float64], plain: slice, whole: bool) -> dict[str, list[float]]:
+    """Return least, 5 %, median, 95 % and largest of finite values; those between NaN if not `whole`."""
     sound = values[np.isfinite(values)]
     sample = values[plain][np.isfinite(values[plain])]
     if not sample.size:
         return {}
-    low, middle, high = np.quantile(sample, [0.05, 0.5, 0.95]).tolist()
+    shares = np.quantile(sample, [0.05, 0.5, 0.95]) if whole else np.full(3, np.nan)
+    low, middle, high = shares.tolist()
     return {"quantiles": [float(sound.min()), low, middle, high, float(sound.max())]}

@@ -23,6 +23,7 @@ from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
 from ropewalk.sweeps.designs import DESIGNS, MOST_RUNS, SALTELLI, Design, plain_rows
+from ropewalk.sweeps.keep import over
 from ropewalk.sweeps.many import make_runs, sweep
 from ropewalk.sweeps.parameters import Parameter, make_parameters
 from ropewalk.sweeps.per_cents import with_ranges
@@ -95,7 +96,12 @@ class Uncertainty:
     def __repr__(self) -> str:
         lines = [f"{len(self.runs.run)} runs; 5 %, 50 %, 95 % of {self.sample} of them:"]
         for name, unit, low, middle, high in self.table():
-            lines.append(f"  {name}: {low:.5g}, {middle:.5g}, {high:.5g} {unit}")
+            seen = over(str(self.bands[name.partition("[")[0]].attrs.get("long_name", "")))
+            lines.append(
+                f"  {name}: {low:.5g}, {middle:.5g}, {high:.5g} {unit}, over {seen}".removesuffix(
+                    ", over "
+                )
+            )
         if self.sobol is not None:
             for key in self.sobol.data_vars:
                 if not str(key).endswith("_ci"):
@@ -215,7 +221,8 @@ def _plain(runs: xr.Dataset) -> xr.Dataset:
 
 def bands(runs: xr.Dataset) -> xr.Dataset:
     """Return the quantiles 5, 50, 95 % of everything kept, over the plain sample's runs that ended well."""
-    names = [name for name in runs.data_vars if "keep" in runs[name].attrs]
+    kept = [name for name in runs.data_vars if "keep" in runs[name].attrs]
+    names = [name for name in kept if "frame" not in runs[name].dims]  # not at the same times
     made = _plain(runs)[names].quantile(QUANTILES, dim="run", keep_attrs=True)
     made["quantile"].attrs["long_name"] = "share of the runs below"
     return made
@@ -301,6 +308,8 @@ def _note(runs: xr.Dataset, more: str) -> str:
             f"{broken} of {len(runs.run)} runs broke ({percent(share)}) and are not in the bands: they hold "
             "for the values that do not break."
         )
+    if any("frame" in runs[name].dims for name in runs.data_vars):
+        told.append("No bands in time: the frames of these runs are at different times.")
     plain = _plain(runs)
     sample = len(plain.run)
     told += [f"{text}." for _, text in noted(count_notes(plain), sample)]
@@ -334,7 +343,13 @@ def text_rows(found: Uncertainty) -> list[tuple[str, ...]]:
     """Return the table of bands and total indices as text, for the command line."""
     rows = []
     for name, unit, low, middle, high in found.table():
-        parts = [name, *(f"{v:.5g}" if math.isfinite(v) else "" for v in (low, middle, high)), unit]
+        seen = over(str(found.bands[name.partition("[")[0]].attrs.get("long_name", "")))
+        parts = [
+            name,
+            seen,
+            *(f"{v:.5g}" if math.isfinite(v) else "" for v in (low, middle, high)),
+            unit,
+        ]
         told = ""
         if found.sobol is not None and name in found.sobol:
             told = ", ".join(shares_in_words(found.sobol, name))

@@ -205,7 +205,7 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     """Say what is in a sweep's folder. With `checked` raises Refusal where batches are damaged."""
     from ropewalk.record.note_kinds import noted
     from ropewalk.sweeps.repair import faults
-    from ropewalk.sweeps.summary import summary
+    from ropewalk.sweeps.summary import IN_ROWS, summary
     from ropewalk.sweeps.sweep_folder import SweepFolder
     from ropewalk.sweeps.uncertainty import FEW
 
@@ -229,14 +229,18 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
     ]
     print_table(("", ""), rows)
     print_table(("varied", "unit", "spread"), [_varied(p) for p in found["parameters"]])
-    columns = ("kept", "unit", "shape", "least", "5 %", "median", "95 %", "largest")
-    print_table(columns, [_kept(v) for v in found["kept"]], right=range(3, 8))
+    columns = ("kept", "unit", "over", "shape", "least", "5 %", "median", "95 %", "largest")
+    print_table(columns, [_kept(v) for v in found["kept"]], right=range(4, 9))
     if found["plain"] < found["runs"]:
         say(
             f"5 %, median and 95 % are of {counted(found['sample'], 'run')}, those of a plain sample of "
             f"{found['plain']} that ended well; all others, for Sobol indices, repeat its values"
         )
-    if 0 < found["sample"] < FEW and any("quantiles" in one for one in found["kept"]):
+    if found["design"] in IN_ROWS and 0 < found["done"] < found["runs"]:
+        say(
+            "5 %, median and 95 % are those of all runs alone: the first ones are no sample of them"
+        )
+    elif 0 < found["sample"] < FEW and any("quantiles" in one for one in found["kept"]):
         say(
             f"of {counted(found['sample'], 'run')}, 5 % and 95 % are hardly more than the least and the "
             "largest met"
@@ -262,8 +266,11 @@ def _varied(parameter: dict[str, Any]) -> tuple[str, str, str]:
 
 
 def _kept(variable: dict[str, Any]) -> Sequence[str]:
+    from ropewalk.sweeps.keep import over
+
     shape = " x ".join(
         f"{size} {d}" for d, size in zip(variable["dims"], variable["sizes"], strict=True)
     )
-    numbers = [f"{value:.5g}" for value in variable.get("quantiles", ())]
-    return [variable["name"], variable["unit"], shape, *numbers, *[""] * (5 - len(numbers))]
+    numbers = ["" if value != value else f"{value:.5g}" for value in variable.get("quantiles", ())]
+    about = [variable["name"], variable["unit"], over(variable["long_name"]), shape]
+    return [*about, *numbers, *[""] * (5 - len(numbers))]
