@@ -29,7 +29,7 @@ def body_loads(result: Result, frames: range, names: Sequence[str]) -> Floats:
     for start in range(0, len(frames), _PIECE):
         part = frames[start : start + _PIECE]
         # NaN: of a rope that broke, where others go on
-        force = np.nan_to_num(result.read(_of_nodes(result), part.start, part.stop))
+        force = np.nan_to_num(result.read(of_nodes(result), part.start, part.stop))
         if len(result.scene.obstacles) == 1 and is_apart(result):
             found[start : start + len(part)] = np.linalg.norm(force.sum(axis=1), axis=1)[:, None]
         elif force.any():
@@ -44,7 +44,8 @@ def is_apart(result: Result) -> bool:
     return OBSTACLE_FORCE in result.source.names or result.scene.contact is None
 
 
-def _of_nodes(result: Result) -> str:
+def of_nodes(result: Result) -> str:
+    """Return the quantity that has the force of obstacles on nodes, alone where that is known."""
     return OBSTACLE_FORCE if OBSTACLE_FORCE in result.source.names else "contact_force"
 
 

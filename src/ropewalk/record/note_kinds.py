@@ -29,18 +29,20 @@ from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.happenings import STOPPED
 from ropewalk.record.hard_stops import hard_note
+from ropewalk.record.landings import Landing, hardest_landing
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import doubt_words
 from ropewalk.record.moment_notes import moment_note
-from ropewalk.record.peak_energy import peak_energy_note
-from ropewalk.record.tension_notes import (
-    anchor_bears,
-    anchor_note,
-    curve_note,
-    push_note,
-    tension_note,
+from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
+from ropewalk.record.too_low import anchor_too_low, tension_too_low
+from ropewalk.record.turnover import (
+    SUDDEN,
+    nothing_is_loose,
+    share_turned,
+    stands,
+    steady_note,
+    sudden_note,
 )
-from ropewalk.record.turnover import nothing_is_loose, share_turned, stands, steady_note
 from ropewalk.words.counts import counted
 from ropewalk.words.pushes import largest_push
 
@@ -53,6 +55,7 @@ KINDS = {
     "above breaking load": "got above the breaking load, where a rope would have parted",
     "peak may be wrong": "may have a peak that is wrong by a fifth and more: a jerk in too long steps",
     "peak may be too low": "may have a peak that is too low: the steps lost energy while it grew",
+    "landing not shown": "have an end that lands and gives an anchor more than the steps show",
     "hard stop": "have a peak of what nothing that gives has stopped: momentum over a step",
     "energy not kept": "have an energy that their steps have not kept: do not trust forces and places",
     "limiter gives energy": "have a limiter that puts energy in: do not trust forces and velocities",
@@ -85,22 +88,22 @@ def noted(counts: Mapping[str, int] | None, of: int) -> list[tuple[str, str]]:
     return [(kind, f"{(counts or {})[kind]} {runs} {words}") for kind, words in kinds]
 
 
-def notes_of_extremes(result: Result, found: dict[str, Extreme]) -> dict[str, Note]:
-    """Return what there is to say of extremes, by their names, and HARD."""
+def notes_of_extremes(
+    result: Result, found: dict[str, Extreme], landing: Landing | None
+) -> dict[str, Note]:
+    """Return what there is to say of extremes, by their names, and HARD; `landing` gives most."""
     most, least = found["greatest tension"], found["least tension"]
     hard = hard_note(result, found)
     notes = {
         "greatest tension": _first(
-            ("peak may be wrong", tension_note(result, most)),
-            lambda: ("peak may be too low", peak_energy_note(result, most)),
+            tension_too_low(result, most),
             lambda: ("end weight", anchor_bears(result, most)),
         ),
         "least tension": ("push", push_note(result, least, most.value)),
         "greatest stretch": ("beyond curve", curve_note(result, found["greatest stretch"])),
-        "greatest anchor force": (
-            "mean anchor force",
-            "" if hard else anchor_note(result, found["greatest anchor force"], most),
-        ),
+        "greatest anchor force": ("", "")
+        if hard
+        else anchor_too_low(result, found["greatest anchor force"], most, landing),
         "greatest clamp moment": _of_moment(result, found),
         HARD: ("hard stop", hard),
     }
@@ -146,7 +149,10 @@ def _kinds(result: Result) -> Iterator[str]:
     at_rest = result.status == AT_REST
     if at_rest:
         found = less_rounding(result, found)
-    notes = (notes_at_rest if at_rest else notes_of_extremes)(result, found)
+    if at_rest:
+        notes = notes_at_rest(result, found)
+    else:
+        notes = notes_of_extremes(result, found, hardest_landing(result))
     yield from (kind for kind, _ in notes.values())
     near = margin(result, found) if UTILISATION in found else None
     events = () if at_rest else tuple(_of_events(result))
@@ -192,7 +198,9 @@ def _of_energy(result: Result) -> str:
         return lost
     errors, share = result.energy_errors[: result.good_frames], share_turned(result)
     worst = float(np.abs(errors[np.isfinite(errors)]).max(initial=0.0))
-    return "" if steady_note(result, worst, share) else energy_note(result, errors.ravel(), share)
+    if steady_note(result, worst, share):
+        return ""
+    return energy_note(result, errors.ravel(), share) or sudden_note(result, share)
 
 
 def _keeps_energy(result: Result) -> bool:
@@ -215,4 +223,5 @@ def _keeps_energy(result: Result) -> bool:
         return False
     counts = forms if stands(scene) and not scene.parts else forms[:, _ELASTIC:]
     turned: float = max((np.maximum.reduce(counts) - np.minimum.reduce(counts)).tolist())
-    return worst <= 0.01 * TURNED * turned
+    implicit = METHODS[result.plan.method].implicit
+    return worst <= (0.5 * SUDDEN if implicit else 0.01 * TURNED) * turned

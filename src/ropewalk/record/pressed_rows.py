@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ropewalk.record.body_loads import body_loads
-from ropewalk.record.extremes import SEEN
+from ropewalk.record.extremes import SEEN, Extreme
+from ropewalk.record.landings import Landing
+from ropewalk.record.too_low import obstacle_too_low
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -15,9 +17,10 @@ if TYPE_CHECKING:
 _TITLE = "largest force on an obstacle"
 
 
-def pressed_rows(result: Result) -> dict[str, Any]:
+def pressed_rows(result: Result, tension: Extreme, landing: Landing | None) -> dict[str, Any]:
     """Return the largest force of the ropes on one obstacle that does not turn freely; {} without any.
 
+    `tension` is the run's largest, `landing` that of a rope's end that gives most.
     What a shape as it is drawn presses at the start does not count, as it is no load, unless it is at rest.
     """
     scene, pulleys = result.scene, result.layout.pulleys
@@ -34,4 +37,6 @@ def pressed_rows(result: Result) -> dict[str, Any]:
     hard = any(rope.rigid for rope in scene.ropes)
     stop = "; of rigid links it may be momentum over a step" if hard else ""
     at = f"obstacle {names[row]!r}, t = {result.time[frame]:.6g} s, {SEEN}{stop}"
-    return {f"{_TITLE} [N]": most, f"{_TITLE} at": at}
+    told = {f"{_TITLE} [N]": most, f"{_TITLE} at": at}
+    note = "" if hard else obstacle_too_low(result, loads[:, row], frame, tension, landing)
+    return told | ({"about the largest force on an obstacle": note} if note else {})

@@ -14,6 +14,7 @@ from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
+from ropewalk.record.landings import Landing, hardest_landing
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
@@ -27,7 +28,7 @@ from ropewalk.record.note_kinds import (
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.reach_note import reach_note
-from ropewalk.record.turnover import share_turned, steady_note
+from ropewalk.record.turnover import share_turned, steady_note, sudden_note
 from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
 
@@ -54,7 +55,7 @@ def summary(result: Result) -> dict[str, Any]:
     energy = {name: part[:good] for name, part in result.energy.items()}
     error, errors = result.energy_error[:good], result.energy_errors[:good]
     share = share_turned(result)
-    seconds, broken = result.facts.seconds, _broken(result)
+    seconds, broken, landing = result.facts.seconds, _broken(result), hardest_landing(result)
     return {
         "status": result.status,
         "simulated time [s]": float(time[-1]),
@@ -63,10 +64,10 @@ def summary(result: Result) -> dict[str, Any]:
         **broken,
         **({"about these numbers": BURST} if result.status == BROKE else {}),
         **_steps(result),
-        **_told(result, found),
+        **_told(result, found, landing),
         **_margins(result, found),
         **moving_rows(result),
-        **pressed_rows(result),
+        **pressed_rows(result, found["greatest tension"], landing),
         **(parting_rows(result.partings) if result.scene.parts else {}),
         "largest energy error [J]": _largest(errors),
         **({"largest energy error at": at} if (at := _error_at(result, errors)) else {}),
@@ -77,6 +78,7 @@ def summary(result: Result) -> dict[str, Any]:
                 note := lost_note(result)
                 or steady_note(result, _largest(errors), share)
                 or energy_note(result, errors.ravel(), share)
+                or sudden_note(result, share)
             )
             else {}
         ),
@@ -168,10 +170,10 @@ def _steps(result: Result) -> dict[str, Any]:
     }
 
 
-def _told(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
+def _told(result: Result, found: dict[str, Extreme], landing: Landing | None) -> dict[str, Any]:
     """Return the extremes with their places and times, those of anchors and clamps where there are any."""
     told: dict[str, Any] = {}
-    notes = notes_of_extremes(result, found)
+    notes = notes_of_extremes(result, found, landing)
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
         if not (anchors and math.isnan(found[name].value)):

@@ -21,6 +21,9 @@ if TYPE_CHECKING:
 
 JERK = 0.5  # [1] a tension that was less than this part of its peak one frame before it
 RESOLVED = 10.0  # [1] steps in which a wave goes through one segment: fewer blur a jerk
+BLURRED = (
+    10.0  # [1] of that time: of a jerk so long a step leaves but a part, 24 times less of a landing
+)
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 _LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
 _SLACK = 1e-12  # [1] a strain of less is rounding of places
@@ -51,6 +54,11 @@ def tension_note(result: Result, peak: Extreme) -> str:
         return ""
     share = percent(100.0 * max(before, 0.0) / peak.value)
     times = f"a wave takes {1e3 * through:.3g} ms through a segment, a step {1e3 * plan.dt:.3g} ms"
+    if plan.dt > BLURRED * through:
+        return (
+            f"a jerk, from {share} of it one frame before: {times}, so that the peak may be far too low; "
+            f"compare it with runs of shorter steps, down to time_step = {through:.3g} s"
+        )
     return (
         f"a jerk, from {share} of it one frame before: {times}, so that the peak may be wrong by a fifth and "
         f"more; compare it with a run of time_step = {0.5 * plan.dt:.3g} s"

@@ -25,7 +25,8 @@ from ropewalk.laws.acting import section_of
 from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.lowering.masses import line, masses
-from ropewalk.record.balances import weight_times_length
+from ropewalk.methods.registry import METHODS
+from ropewalk.record.balances import shorter_steps, weight_times_length
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.motions import Fixed
 from ropewalk.words.percents import percent
@@ -41,6 +42,9 @@ _VALUES = 1_000_000  # numbers of one quantity looked at together
 _LEAST = 1e-9  # [1] of the energy turned over as seen at rest: less is rounding
 _TOLD = 1.0  # [%] of the energy turned over: of a larger share it is told what it is a share of
 _LITTLE = 1e-4  # [1] of the energy of motion: less turned over is hardly any
+SUDDEN = 0.005  # [1] of the energy turned over in all, within a frame: less is no hit that matters
+_ALL = 0.2  # [1] of what moved and stretched: so much within a frame is a hit
+_ABOUT = 4  # frames about a hit
 _STILL = 1e-10  # [1] of the energies, or of weight times length: where less is turned over, nothing moves
 # [1] of that: what surfaces are booked to take where nothing moves, from rounding of velocities, step by step
 _BOOKS = 1e4
@@ -100,6 +104,35 @@ def steady_note(result: Result, worst: float, share: float) -> str:
     return (
         f"the share is large as hardly any energy is turned over, {turned:.3g} J: of the {whole:.4g} J of "
         f"motion the error is {percent(100.0 * worst / whole)}"
+    )
+
+
+def sudden_note(result: Result, share: float) -> str:
+    """Say where much of what moved was lost or made up within a frame, small in the whole run; else "".
+
+    `share` is the largest error, of the energy turned over [%]. What a hit or a jerk takes is small beside
+    what a long run turns over, and is all that there was: forces then are as wrong as in a run that ends.
+    """
+    plan, good = result.plan, result.good_frames
+    implicit = plan.method in METHODS and METHODS[plan.method].implicit
+    live = result.facts.provenance.get("live")
+    if good < 2 or not implicit or not share > 0.0 or live:  # explicit energies swing with the step
+        return ""
+    bounds = np.column_stack((result.energy_errors[:good], result.energy_error[:good]))
+    bounds[1:] = np.nan_to_num(bounds[1:])
+    before = np.nan_to_num(result.energy_error[: good - 1])
+    jumps = np.maximum(bounds[1:].max(axis=1), before) - np.minimum(bounds[1:].min(axis=1), before)
+    frame = int(np.argmax(jumps)) + 1
+    jump, worst = float(jumps[frame - 1]), float(np.nanmax(np.abs(result.energy_errors[:good])))
+    about = slice(max(frame - _ABOUT, 0), frame + _ABOUT)  # what begins to fall has little at first
+    there = float((own_kinetic(result)[about] + result.energy["elastic"][:good][about]).max())
+    if not (jump > SUDDEN * 100.0 * worst / share and jump > _ALL * (jump + there)):
+        return ""
+    steps = f"steps of {1e3 * plan.dt:.3g} ms" if plan.tolerance is None else "tolerance"
+    return (
+        f"{jump:.3g} J of it came within one frame, before t = {result.time[frame]:.6g} s, beside "
+        f"{there:.3g} J of motion and stretch about then: a hit or a jerk that {plan.method}'s {steps} do "
+        f"not resolve. Forces then may be far too low; take {shorter_steps(plan)}"
     )
 
 

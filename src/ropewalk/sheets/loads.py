@@ -9,11 +9,12 @@ import numpy as np
 
 from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.hard_stops import hard_note
+from ropewalk.record.landings import hardest_landing
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
-from ropewalk.record.peak_energy import peak_energy_note
-from ropewalk.record.tension_notes import anchor_bears, anchor_note, tension_note
+from ropewalk.record.tension_notes import anchor_bears
+from ropewalk.record.too_low import anchor_too_low, tension_too_low
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.ropes import NO_DRAG
@@ -87,7 +88,7 @@ def _of_the_run(run: Result) -> list[Item]:
     items: list[Item] = []
     if hard := hard_note(run, found):
         items.append(Text(f"Hard stops in the run: {hard}.", warning=True))
-    elif note := _too_low(run, most):
+    elif note := tension_too_low(run, most)[1]:
         items.append(Text(f"The largest tension in the run: {note}.", warning=True))
     elif note := anchor_bears(run, most):
         said = f"The largest tension in the run is that of a segment: {note}."
@@ -96,10 +97,6 @@ def _of_the_run(run: Result) -> list[Item]:
         said = "Before numbers of the run are used, see what is said of its energy under Method."
         items.append(Text(said, warning=True))
     return items
-
-
-def _too_low(run: Result, most: Extreme) -> str:
-    return tension_note(run, most) or peak_energy_note(run, most)
 
 
 def rest_section(
@@ -217,8 +214,8 @@ def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
     if hard := hard_note(result, found):
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
-        "tension": _too_low(result, most) or anchor_bears(result, most),
-        "force on an anchor": anchor_note(result, force, most),
+        "tension": tension_too_low(result, most)[1] or anchor_bears(result, most),
+        "force on an anchor": anchor_too_low(result, force, most, hardest_landing(result))[1],
         "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
     }
     return [
