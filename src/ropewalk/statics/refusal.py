@@ -31,6 +31,18 @@ def undetermined_ropes(model: Model) -> tuple[str, ...]:
     return tuple(rope.name for rope in model.layout.ropes if _fault_of(model, rope))
 
 
+def unseen_words(model: Model) -> str:
+    """Return why a run or check says nothing of rest, and whether `ropewalk settle` may find it."""
+    text = (
+        "the rest of ropes that touch each other or slide along each other is not looked for here; "
+    )
+    if not (without := undetermined_ropes(model)):
+        return f"{text}`ropewalk settle` looks for it"
+    return (
+        f"{text}and rope {without[0]!r} has none: {_fault_of(model, model.layout.span(without[0]))}"
+    )
+
+
 def refuse_impossible(model: Model) -> None:
     """Raise SceneError for ropes that have no rest shape, or that nothing gives one."""
     _refuse([_fault_of(model, rope) for rope in model.layout.ropes], model)

@@ -32,6 +32,7 @@ from ropewalk.statics.refusal import (
     undetermined_ropes,
     unheld_ropes,
     unloaded,
+    unseen_words,
 )
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
@@ -45,10 +46,6 @@ _SOFT = 1e-6  # compliance of rigid links on the way to their shape, in the mode
 _PUSHED = 1e-7  # of the unit of force: what counts as compression [1]
 _LARGE = 100_000  # nodes from which on the closed form is not polished
 _PATIENCE, _CHECKED = 12_000, 2500  # Newton steps on obstacles, when asked for and for a check
-_UNSEEN = (
-    "the rest of ropes that touch each other or slide along each other is not looked for here; `ropewalk "
-    "settle` finds it"
-)
 _GOES_ON = "there is no rest: the ropes slide or fall on and on. Give more friction, or an anchor"
 _CROWDED = (
     "no shape of rest was found: ropes touch in more places than there is room for, or come through each "
@@ -355,7 +352,7 @@ def _statics(
         touches=() if unseen else touches(model, held, x, tension),
         seats=() if unseen else seats(model, held, x, tension),
         pulleys=pulleys(model, held, x),
-        trouble=_UNSEEN if unseen else _trouble(model, balance, found),
+        trouble=unseen_words(model) if unseen else _trouble(model, balance, found),
         memory=arrays.copy(held) if obstacles or balance.coupled.acts else None,
     )
 
