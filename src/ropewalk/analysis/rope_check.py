@@ -18,6 +18,7 @@ from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
 from ropewalk.scene.guess import doubt_of, worst_of
+from ropewalk.scene.knotted import knot_doubt
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
 from ropewalk.words.counts import counted
@@ -173,7 +174,9 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         utilisation=use,
         rests=rests,
         parts=rope.strength < math.inf,
-        doubt="" if use is None else doubt_of(rope.made_of, use),
+        doubt=""
+        if use is None
+        else "; ".join(filter(None, (doubt_of(rope.made_of, use), knot_doubt(rope, use)))),
         worst=None if use is None else worst_of(rope.made_of, use),
         largest_push=largest_push(tension, over),
         largest_anchor_force=ends.force

@@ -9,6 +9,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.scene.guess import COMPUTE, doubt_of, guesses_of, load_doubt, worst_of
+from ropewalk.scene.knotted import knot_doubt
 from ropewalk.words.safe_side import percent_up, safety_factor
 
 if TYPE_CHECKING:
@@ -64,10 +65,18 @@ def margin_of(scene: Scene, utilisation: dict[str, float]) -> Margin:
 
 
 def doubt_words(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
-    """Return what guesses make of the greatest utilisation; "" where none is a guess.
+    """Return what guesses and knots make of the greatest utilisation; "" where there is neither.
 
-    `then`: what is to be done about a stiffness, or was done. Another rope, whose breaking load is a guess,
-    may come nearer than the one that is told.
+    `then`: what is to be done about a stiffness, or was done.
+    """
+    knot = knot_doubt(scene.rope_named(margin.name), margin.utilisation)
+    return "; ".join(text for text in (guess_doubt(scene, margin, then), knot) if text)
+
+
+def guess_doubt(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
+    """As `doubt_words`, of guesses alone.
+
+    Another rope, whose breaking load is a guess, may come nearer than the one that is told.
     """
     told = [doubt_of(scene.rope_named(margin.name).made_of, margin.utilisation, then)]
     if margin.guessed != margin.name:
