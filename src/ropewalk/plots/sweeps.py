@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ropewalk.plots.pairs import Column, draw_pairs
-from ropewalk.plots.ranks import rank_correlation
+from ropewalk.plots.ranks import by_factors, rank_correlation
 from ropewalk.plots.style import (
     COLOURS,
     FAINT,
@@ -135,20 +135,8 @@ def _wrapped(label: str) -> str:
 def _axis(axes: Axes, array: xr.DataArray, values: Floats, which: str = "x") -> None:
     """Label an axis by a parameter; logarithmic where its values rise by factors."""
     getattr(axes, f"set_{which}label")(_label(array))
-    if _by_factors(values):
+    if by_factors(values):
         getattr(axes, f"set_{which}scale")("log")
-
-
-def _by_factors(values: Floats) -> bool:
-    """Tell whether values are spread by factors: far apart, and their median nearer the geometric middle."""
-    sound = np.unique(values[np.isfinite(values)])
-    if len(sound) < 2 or sound[0] <= 0.0 or sound[-1] / sound[0] < 50.0:
-        return False
-    if len(sound) == 2:
-        return bool(sound[-1] / sound[0] >= 100.0)
-    low, middle, high = sound[0], float(np.median(sound)), sound[-1]
-    by_factor = np.log(middle / low) / np.log(high / low)
-    return bool(abs(by_factor - 0.5) <= abs((middle - low) / (high - low) - 0.5))
 
 
 def _numbers(array: xr.DataArray) -> tuple[Floats, list[str] | None]:
