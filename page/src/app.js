@@ -4,6 +4,7 @@ import { Keys } from "./input/keys.js";
 import { Walk } from "./input/walk.js";
 import { Pointer } from "./input/pointer.js";
 import { Graphs } from "./graphs/graphs.js";
+import { BalanceNote } from "./panels/balance.js";
 import { Bar } from "./panels/bar.js";
 import { BrokenCard } from "./panels/broken.js";
 import { Compare } from "./panels/compare.js";
@@ -61,7 +62,8 @@ export class App {
     this.notices = new Notices(session, this.scene);
     this.legend = new Legend(this.viewport, this.scene);
     this.parted = new PartedNote(session, (text) => this.notices.say(text));
-    this.legend.card.append(this.parted.host);
+    this.balance = new BalanceNote(session);
+    this.legend.card.append(this.parted.host, this.balance.host);
     this.views = new Views(this.viewport, this.scene);
     this.graphs = new Graphs(this.viewport, this.graphHost);
     this.tools = new Tools(

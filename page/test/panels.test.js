@@ -96,6 +96,22 @@ test("what rounding leaves of nothing is heard as nothing", () => {
   assert.match(sentence(layout, frame, "paused"), /greatest tension 12 N\.$/);
 });
 
+test("the state that is read out follows steps, resets and edits while it is paused", () => {
+  const variant = { anchors: [], loads: [], ropes: [] };
+  const layout = { layout: 1, variants: [variant], scalars, scene: { name: "S" } };
+  const frame = { time: 1.1, parts: [{ scalars: [0, 0, 0, 857], anchors: [] }] };
+  const session = { layout, frame, status: { playing: false }, broken: null };
+  const walk = made(Walk, { viewport: { session }, voice: { textContent: "" }, state: "", at: -1 });
+  const heard = () => (walk.tell(), walk.voice.textContent);
+  assert.match(heard(), /paused at 1\.1 s.* 857 N/);
+  Object.assign(frame, { time: 0, parts: [{ scalars: [0, 0, 0, 20], anchors: [] }] });
+  assert.match(heard(), /paused at 0 s.* 20 N/);
+  session.status.playing = true;
+  assert.match(heard(), /playing at 0 s/);
+  frame.time = 1;
+  assert.match(heard(), /playing at 0 s/); // the twin: not sixty times a second
+});
+
 test("Tab stops at no body that hands can neither move nor turn", () => {
   const walk = made(Walk, { viewport: { session: { can: () => true } } });
   const all = [

@@ -32,6 +32,7 @@ const ENERGIES = /** @type {[string, string, string][]} */ ([
   ["lost", "lost", ROPES[3]],
 ]);
 
+const LOST = "lost: to friction, air, ground, obstacles, and what pulleys and contacts store";
 const ONE = "(max-width: 700px), (max-height: 500px)"; // a window with room for one graph, as in the style sheet
 
 /** The names of bounds since the frame before. @type {Record<string, (node: number) => Bounds>} */
@@ -195,7 +196,11 @@ export class Graphs {
     this.quantityChoice.hidden = !this.shown.has("motion");
     for (const kind of kinds) {
       if (!this.shown.has(kind)) continue;
-      const box = h("div", { className: "plot", data: { kind } });
+      const box = h("div", {
+        className: "plot",
+        data: { kind },
+        title: kind === "energies" ? LOST : "",
+      });
       this.plots.append(box);
       this.panels.set(kind, { kind, box, plot: null });
     }

@@ -182,7 +182,8 @@ export class Walk {
     const { layout, frame, status, broken } = this.viewport.session;
     if (!layout || !frame) return;
     const state = broken ? "broken" : status?.playing ? "playing" : "paused";
-    const key = `${layout.scene.name} ${state}`;
+    const since = status?.playing ? "" : `${layout.layout} ${frame.time}`; // a step, a reset, an edit
+    const key = `${layout.scene.name} ${state} ${since}`;
     if (key === this.state) return;
     this.state = key;
     this.voice.textContent = sentence(layout, frame, state);
