@@ -11,6 +11,7 @@ import ropewalk as rw
 import runs
 from ropewalk.scene import (
     Anchor,
+    Hanging,
     Kick,
     Limiter,
     Load,
@@ -21,6 +22,7 @@ from ropewalk.scene import (
     Shake,
     Slack,
     Straight,
+    Winch,
 )
 
 
@@ -175,10 +177,34 @@ def test_a_peak_in_whose_rise_energy_was_lost_says_that_it_may_be_too_low() -> N
     for step in (1 / 30, 0.01, 0.002):
         table = caught(method="implicit-euler", time_step=step).table
         note = table["about the largest tension"]
-        told = float(re.findall(r"some ([\d.]+) %", note)[0])
+        least, most = map(float, re.findall(r"some ([\d.]+) % to ([\d.]+) %", note)[0])
         missing = 100.0 * (1.0 - table["largest tension [N]"] / right)
-        assert 0.8 * told < missing < 2.0 * told, note
+        assert least < missing < most, note
         assert missing > 3.0
+
+
+def paid_out(**more: object) -> rw.Result:
+    """A winch pays out 30 kg at once, and stops at once."""
+    line = rw.rope("semistatic-10.5").material()
+    loads = [Load(node=-1, mass=30.0)]
+    rope = Rope(segments=24, length=3.0, made_of=line, shape=Hanging(start=(0, 0, 0)), loads=loads)
+    winch = Winch(end="start", speed=0.5, start=0.2, on_drum=1.0, max_length=3.6)
+    run = RunSettings(duration=2.0, frame_rate=50.0, start="at-rest", **more)
+    return rw.simulate(Scene(ropes=[rope], anchors=[Anchor(node=0)], winches=[winch], run=run))
+
+
+def test_energy_lost_before_a_peak_grew_counts() -> None:
+    """What bounced since the winch began was gone when it stopped: 0.03 J were lost as the tension grew,
+    and nothing was said of a peak a fifth too low. The twin: steps that lose hardly any.
+    """
+    good = paid_out(method="esdirk3", time_step=1e-3).table
+    assert "about the largest tension" not in good
+    for method in ("esdirk3", "implicit-euler"):
+        table = paid_out(method=method, time_step=0.02).table
+        note = table["about the largest tension"]
+        least, most = map(float, re.findall(r"some ([\d.]+) % to ([\d.]+) %", note)[0])
+        missing = 100.0 * (1.0 - table["largest tension [N]"] / good["largest tension [N]"])
+        assert least < missing < 1.25 * most, note
 
 
 def test_without_weight_a_string_that_loses_its_motion_is_told() -> None:
