@@ -105,7 +105,9 @@ class Material(FromDataSheet, Model):
         "Bending stiffness: moment per curvature; 0 bends freely", "N m^2", default=0.0
     )
     bending_damping: Number = not_negative(
-        "Moment per rate of curvature (EI x retardation)", "N m^2 s", default=0.0
+        "Moment per rate of curvature's size (EI x retardation); what turns a bend is not damped",
+        "N m^2 s",
+        default=0.0,
     )
     curvature: Vector = vector(
         "Natural curvature: 1/radius of the unloaded rope along the axis it curls about "

@@ -34,6 +34,7 @@ from ropewalk.vibration.linear import Linear, linearise
 from ropewalk.vibration.motion import TURNS, Motion, motions, turnings
 from ropewalk.vibration.plane import Plane, plane_of
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
+from ropewalk.vibration.turned_bends import turning_notes
 from ropewalk.vibration.turning import Turns, with_wheels
 from ropewalk.vibration.unrelaxed import relaxing_notes
 
@@ -128,7 +129,8 @@ class Modes:
         rings = self.frequencies[self.frequencies > 0.0]
         falls = bool(np.any(np.diff(rings) < -_ALIKE * rings.max(initial=0.0)))
         order = [_BY_NATURAL] if falls else []
-        return [*stands, *slips, *self.bumps, *bump_notes(self), *relaxing_notes(self), *order]
+        laws = [*bump_notes(self), *relaxing_notes(self), *turning_notes(self)]
+        return [*stands, *slips, *self.bumps, *laws, *order]
 
     @property
     def plot(self) -> ModePlots:
