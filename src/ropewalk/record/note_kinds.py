@@ -55,7 +55,7 @@ KINDS = {
     "parted": "parted: their largest tension is where they parted",
     "above breaking load": "got above the breaking load, where a rope would have parted",
     "peak may be wrong": "may have a peak that is wrong by a fifth and more: a jerk in too long steps",
-    "peak may be too low": "may have a peak that is too low: the steps lost energy while it grew",
+    "peak may be too low": "may have a peak that is too low: the steps lost energy until then",
     "landing not shown": "have an end that lands and gives an anchor more than the steps show",
     "hard stop": "have a peak of what nothing that gives has stopped: momentum over a step",
     "energy not kept": "have an energy that their steps have not kept: do not trust forces and places",
