@@ -12,6 +12,7 @@ Source: Bathe, Finite Element Procedures, sec. 11.6; Tisseur and Meerbergen, SIA
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -33,6 +34,7 @@ _NEUTRAL = 1e-13  # of the rate squared: a w^2 that is negative by less is round
 _GROWS = 1e-9  # of an eigenvalue's size: a positive real part below is rounding [1]
 _ENOUGH = 1e-6  # change that is accepted after all rounds: of more nothing is known [1]
 _ALIKE = 1e-7  # relative difference of eigenvalues that are one [1]
+_SAME_SIDE = 1e-6  # difference of shares out of the plane that are one [1]
 _DISTINCT = 1e-6  # shapes of one eigenvalue nearer to each other than this are one shape [1]
 
 
@@ -203,7 +205,10 @@ def _inverted(
 
 
 def untangle(values: Complex, shapes: Any, mass: Floats, aside: Floats) -> Complex:
-    """Turn the shapes of equal eigenvalues so that they lie in the plane or out of it.
+    """Turn the shapes of equal eigenvalues so that they lie in the plane or out of it, and apart.
+
+    Two spans that are alike swing each by itself: what a solver finds is any mixture of both, which has as
+    many half waves as its rounding gives.
 
     Args:
         values: eigenvalues l (m,), sorted by size.
@@ -223,7 +228,18 @@ def untangle(values: Complex, shapes: Any, mass: Floats, aside: Floats) -> Compl
             part = (group * aside).reshape(last - first, -1, 3).sum(axis=2)
             whole = (group * mass) @ group.conj().T
             if np.linalg.eigvalsh(whole)[0] > _DISTINCT:
-                _, turn = eigh((part * mass[::3]) @ part.conj().T, whole)
-                shapes[first:last] = turn.conj().T @ group
+                shares, turn = eigh((part * mass[::3]) @ part.conj().T, whole)
+                shapes[first:last] = _one_after_another(shares, turn.conj().T @ group, mass)
         first = last
     return np.asarray(shapes, dtype=complex)
+
+
+def _one_after_another(shares: Floats, shapes: Complex, mass: Floats) -> Complex:
+    """Turn orthonormal shapes with equal shares (m,) out of the plane apart: by which nodes move."""
+    shapes, place = shapes.copy(), np.arange(mass.size) // 3 * mass
+    bounds = [0, *(1 + np.flatnonzero(np.diff(shares) > _SAME_SIDE)), len(shares)]
+    for first, last in pairwise(bounds):
+        group = shapes[first:last]
+        _, turn = np.linalg.eigh((group * place) @ group.conj().T)
+        shapes[first:last] = turn.conj().T @ group
+    return shapes
