@@ -36,3 +36,11 @@ test("after a reset it begins anew", () => {
 test("it says by how much, and what to do", () => {
   assert.match(balanceText(0.214, 0.097), /^energy off by up to 0\.214 J, 9\.7 % .* shorter step$/);
 });
+
+test("a shorter step is judged by what it does itself", () => {
+  const balance = new Balance();
+  balance.take(1, of({ kinetic: 2, energy_error: 0.5 }));
+  balance.again();
+  balance.take(2, of({ kinetic: 2, energy_error: 0.51 }));
+  assert.ok(Math.abs(balance.share - 0.005) < 1e-12);
+});

@@ -6,33 +6,42 @@ import { h } from "./dom.js";
 
 /** @typedef {import("../session.js").Session} Session */
 
-const TOLD = 0.05; // of the energy turned over, as in the table of a run
+const TOLD = 0.05; // of what has changed most, much as in the table of a run
 const ROUNDING = 1e-4; // of the largest energy there is: below that nothing is said
-const FORMS = ["kinetic", "gravity", "lost", "put_in"]; // nothing at the session's begin
+const FORMS = ["kinetic", "gravity", "rubbed"]; // nothing at the session's begin
 const REFRESH = 250; // ms between two changes of the number: faster ones cannot be read
 
 /** @returns {Map<string, [number, number]>} */
 const nothing = () => new Map(FORMS.map((name) => [name, [0, 0]]));
 
-/** The energies of one variant since its begin, or since time went back. */
+/** The energies of one variant since its begin, or since time went back: works of other laws than surfaces'
+ * are not counted, as a false ledger of them is large itself. */
 export class Balance {
   constructor() {
     this.time = -Infinity;
     this.error = 0; // [J] the largest
+    this.last = this.base = 0; // [J] the error now, and when the step was chosen
     this.ranges = nothing();
+  }
+
+  /** Count from now on: another step has been chosen. */
+  again() {
+    this.base = this.last;
+    this.error = 0;
   }
 
   /** @param {number} time @param {(name: string) => number} value of a scalar [J] */
   take(time, value) {
-    if (time < this.time) Object.assign(this, { error: 0, ranges: nothing() });
+    if (time < this.time) Object.assign(this, { error: 0, base: 0, ranges: nothing() });
     this.time = time;
     for (const name of [...FORMS, "elastic"]) {
       const now = value(name);
       const [low, high] = this.ranges.get(name) ?? [now, now];
       if (Number.isFinite(now)) this.ranges.set(name, [Math.min(low, now), Math.max(high, now)]);
     }
-    const error = Math.abs(value("energy_error"));
-    if (Number.isFinite(error) && error > this.error) this.error = error;
+    const now = value("energy_error");
+    if (Number.isFinite(now)) this.error = Math.max(this.error, Math.abs(now - this.base));
+    if (Number.isFinite(now)) this.last = now;
   }
 
   /** The largest error, of the largest change of one energy; 0 where it is rounding. */
@@ -58,6 +67,7 @@ export class BalanceNote {
     /** @type {Balance[]} */ this.balances = [];
     this.written = -Infinity;
     session.on("layout", () => this.begin());
+    session.on("stability", () => this.balances.forEach((one) => one.again()));
     session.on("frame", (frame) => this.show(frame));
   }
 
@@ -72,7 +82,11 @@ export class BalanceNote {
   show({ time, parts }) {
     const { layout } = this.session;
     if (!layout || parts.length !== this.balances.length) return;
-    parts.forEach((part, v) => this.balances[v].take(time, (name) => scalar(layout, part, name)));
+    parts.forEach((part, v) => {
+      const rubbed = part.frictionWork.reduce((sum, work) => sum + Math.abs(work), 0);
+      const value = (/** @type {string} */ name) => scalar(layout, part, name);
+      this.balances[v].take(time, (name) => (name === "rubbed" ? rubbed : value(name)));
+    });
     if (performance.now() - this.written < REFRESH) return;
     this.written = performance.now();
     const many = layout.variants.length > 1;
