@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import pytest
 
 import ropewalk as rw
-from ropewalk.record.landings import hardest_landing
+from ropewalk.record.extremes import extremes
+from ropewalk.record.landings import landings_of
+from ropewalk.record.too_low import anchor_too_low
+from ropewalk.scene import Material, Plane, Rope, RunSettings, Scene, Straight
 
 FLOOR, HAND = "about the largest force on an obstacle", "about the largest anchor force"
 ENERGY, PULL = "about the energy", "about the largest tension"
 
 
-def pile(**run: float) -> rw.Result:
+def pile(**run: Any) -> rw.Result:
     """The preset in which a cord's end comes down at 0.3 m/s, and no more of it unless asked for."""
     return rw.simulate(rw.preset("pile").replace(**{"run.duration": 0.1} | run))
 
@@ -46,11 +50,54 @@ def test_frames_that_are_too_far_apart_for_a_hit_say_so() -> None:
 
 def test_a_landing_of_a_rope_that_cannot_push_is_none() -> None:
     """No wave of compression runs up it. The twin: the same cord, which pushes."""
-    assert hardest_landing(pile()) is not None
+    assert landings_of(pile())
     cord = rw.Material(EA=1e3, mass_per_length=0.025, axial_damping=0.05, tension_only=True)
     scene = rw.preset("pile").replace(**{"run.duration": 0.1, "rope.made_of": cord})
     slack = rw.simulate(scene)
-    assert hardest_landing(slack) is None
+    assert not landings_of(slack)
+
+
+@pytest.mark.parametrize(("time", "bears"), [(0.01, False), (0.09, True)])
+def test_a_hand_that_has_let_go_bears_nothing_of_a_landing(time: float, bears: bool) -> None:
+    """The end lands after 0.029 s. The twin lets go later."""
+    hand = rw.preset("pile").anchors[0].model_copy(update={"release_time": time})
+    table = pile(anchors=(hand,)).table
+    assert ("too low: it was" in table.get(HAND, "")) == bears
+    assert "too low: it was" in table[FLOOR]
+
+
+def test_a_harder_landing_of_a_free_rope_does_not_hide_that_of_a_held_one() -> None:
+    result = pile()
+    (held,), found = landings_of(result), extremes(result)
+    free = held._replace(force=10.0 * held.force, held=0.0)
+    force, tension = found["greatest anchor force"], found["greatest tension"]
+    assert anchor_too_low(result, force, tension, (held, free))[0] == "landing not shown"
+
+
+def test_ends_of_many_ropes_are_read_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The force of all nodes was read for every end."""
+    reads = []
+    read = rw.Result.read
+    monkeypatch.setattr(rw.Result, "read", lambda *args: reads.append(args[1]) or read(*args))
+    for count in (1, 6):
+        made_of = Material(EA=1e4, mass_per_length=0.1)
+        ropes = tuple(
+            Rope(
+                name=f"r{k}",
+                segments=2,
+                length=0.1,
+                diameter=0.01,
+                made_of=made_of,
+                shape=Straight(start=(0, 0.1 * k, 0.05), direction=(1, 0, 0)),
+            )
+            for k in range(count)
+        )
+        run = RunSettings(duration=0.2, method="implicit-euler", time_step=0.01)
+        scene = Scene(ropes=ropes, obstacles=(Plane(name="floor"),), run=run)
+        result = rw.simulate(scene)
+        reads.clear()
+        landings_of(result)
+        assert 0 < len(reads) <= 4  # with the times
 
 
 def test_a_hit_that_a_long_run_makes_small_is_told_all_the_same() -> None:

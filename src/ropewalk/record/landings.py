@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.lowering import Span
 from ropewalk.record.body_loads import is_apart, of_nodes
 from ropewalk.record.facts import FINISHED
 from ropewalk.scene import Rope
@@ -24,6 +23,16 @@ if TYPE_CHECKING:
 
 _PIECE = 256  # frames that are read at once
 _STRAIGHT = 0.95  # cosine of 18 degrees: of the column's segments to the push, friction with it
+
+
+class _End(NamedTuple):
+    """An end of a rope that nothing holds or loads."""
+
+    rope: Rope
+    rows: slice  # of its rope's nodes
+    way: int  # 1 for its first node, -1 for its last
+    node: int
+    held_until: float  # [s] its other end; see `_held_until`
 
 
 class Landing(NamedTuple):
@@ -46,8 +55,8 @@ class Landing(NamedTuple):
         )
 
 
-def hardest_landing(result: Result) -> Landing | None:
-    """Return the landing of a rope's end that gives most; None where none is seen.
+def landings_of(result: Result) -> tuple[Landing, ...]:
+    """Return the landings of ropes' ends.
 
     Of ropes that push, on obstacles that stand still, by ends that bear no load and are not held. A contact
     of stiffness k takes its time: in that until the wave is back, 2 L / c, it comes to
@@ -55,20 +64,20 @@ def hardest_landing(result: Result) -> Landing | None:
     """
     scene = result.scene
     if result.status != FINISHED or "contact_force" not in result.source.names:
-        return None
+        return ()
     still = all(body.motion.kind == "fixed" and body.spin is None for body in scene.obstacles)
     if not scene.obstacles or not still or not is_apart(result):
-        return None
-    found = [one for rope in scene.ropes if _pushes(rope) for one in _of_rope(result, rope)]
-    return max(found, key=lambda one: one.force, default=None)
+        return ()
+    ends = [end for rope in scene.ropes if _pushes(rope) for end in _free_ends(result, rope)]
+    return tuple(_of_ends(result, ends)) if ends else ()
 
 
 def _pushes(rope: Rope) -> bool:
     return rope.made_of.kind == "material" and not rope.rigid and not rope.made_of.tension_only
 
 
-def _of_rope(result: Result, rope: Rope) -> Iterator[Landing]:
-    """Yield the landings of a rope's two ends."""
+def _free_ends(result: Result, rope: Rope) -> Iterator[_End]:
+    """Yield the ends of a rope that nothing holds or loads."""
     span, layout = result.layout.span(rope.name), result.layout
     given = [one.node for one in rope.loads] + [one.node for one in rope.forces]
     loaded = {span.first + rope.node_index(node) for node in given}
@@ -77,45 +86,63 @@ def _of_rope(result: Result, rope: Rope) -> Iterator[Landing]:
     for end, other, way in ((span.first, span.last, 1), (span.last, span.first, -1)):
         if end in loaded or end in layout.anchor_nodes or end in layout.tied_nodes:
             continue
-        for first in range(0, result.good_frames - 1, _PIECE):
-            last = min(first + _PIECE + 1, result.good_frames)
-            force = np.nan_to_num(result.read(of_nodes(result), first, last)[:, end])
-            there = np.linalg.norm(force, axis=1) > 0.0
-            for k in np.flatnonzero(there[1:] & ~there[:-1]).tolist():
-                normal = force[k + 1] / np.linalg.norm(force[k + 1])
-                if one := _landing(result, (rope, span), (end, way), normal, first + k):
-                    held = other in layout.anchor_nodes
-                    yield one if held else one._replace(held=0.0)
+        yield _End(rope, slice(span.first, span.last + 1), way, end, _held_until(result, other))
+
+
+def _held_until(result: Result, node: int) -> float:
+    """Return when the last anchor of a node lets go [s]: infinite for never, negative for none."""
+    anchors = zip(result.scene.anchors, result.layout.anchor_nodes, strict=True)
+    times = [one.release_time for one, there in anchors if there == node]
+    return max((math.inf if time is None else time for time in times), default=-math.inf)
+
+
+def _of_ends(result: Result, ends: list[_End]) -> Iterator[Landing]:
+    """Yield the landings of these ends; everything is read once for all of them."""
+    from ropewalk.record.contacts import model_of
+
+    nodes, stiffness = [end.node for end in ends], None
+    for first in range(0, result.good_frames - 1, _PIECE):
+        last = min(first + _PIECE + 1, result.good_frames)
+        force = np.nan_to_num(result.read(of_nodes(result), first, last)[:, nodes])
+        there = np.linalg.norm(force, axis=2) > 0.0
+        lands = np.argwhere(there[1:] & ~there[:-1]).tolist()
+        if not lands:
+            continue
+        if stiffness is None:
+            stiffness = model_of(result).system.node.obstacle.stiffness.min(axis=0)
+        x, v = (result.read(name, first, last) for name in ("positions", "velocities"))
+        for k, which in lands:
+            end, push = ends[which], force[k + 1, which]
+            rows = tuple(one[k, end.rows][:: end.way] for one in (x, v))
+            times = result.time[first + k : first + k + 2]
+            soft = float(stiffness[end.node])
+            if one := _landing(result, end, rows, push / np.linalg.norm(push), (soft, times)):
+                yield one
 
 
 def _landing(
-    result: Result, of: tuple[Rope, Span], end: tuple[int, int], normal: Floats, frame: int
+    result: Result, end: _End, rows: tuple[Floats, ...], normal: Floats, at: tuple[float, Floats]
 ) -> Landing | None:
-    """Return what an end gives that an obstacle pushes along `normal` [1] in the frame after this one."""
-    (rope, span), (node, way) = of, end
-    from ropewalk.record.contacts import model_of
+    """Return what an end gives that an obstacle of some stiffness [N/m] pushes along `normal` [1].
 
-    rows = slice(span.first, span.last + 1)
-    x = result.read("positions", frame, frame + 1)[0, rows][::way]
-    v = result.read("velocities", frame, frame + 1)[0, rows][::way]
+    `rows`: places [m] and velocities [m/s] of its rope from it on, in the frame before; `at`: that stiffness,
+    and the times of that frame and the next [s].
+    """
+    rope, (x, v), (contact, (before, after)) = end.rope, rows, at
     steps = np.diff(x, axis=0)
     along = (steps @ normal) / np.linalg.norm(steps, axis=1)
     straight = int(np.argmin(np.append(along >= _STRAIGHT, False)))
     speed = float((-v[: straight + 1] @ normal).min())
     if straight < 1 or not speed > 0.0:
         return None
-    mu, stiff = (
-        rope.own_mass / rope.length_unstretched,
-        rope.segment_stiffness * rope.segment_length,
-    )
-    impedance, back = (
-        math.sqrt(stiff * mu),
-        2.0 * straight * rope.segment_length * math.sqrt(mu / stiff),
-    )
-    contact = float(model_of(result).system.node.obstacle.stiffness[:, node].min())
+    mu = rope.own_mass / rope.length_unstretched
+    stiff = rope.segment_stiffness * rope.segment_length
+    impedance = math.sqrt(stiff * mu)
+    back = 2.0 * straight * rope.segment_length * math.sqrt(mu / stiff)
     force = -speed * impedance * math.expm1(-contact * back / impedance) * float(along[0]) ** 2
     weight = rope.total_mass * math.hypot(*result.scene.gravity)
-    held = 2.0 * force - weight if straight == rope.segments else 0.0
-    return Landing(
-        rope.name, speed, force, max(held, 0.0), speed * impedance, float(result.time[frame])
-    )
+    holds = (
+        straight == rope.segments and end.held_until >= after + 0.5 * back
+    )  # when the wave is there
+    held = max(2.0 * force - weight, 0.0) if holds else 0.0
+    return Landing(rope.name, speed, force, held, speed * impedance, float(before))

@@ -7,7 +7,7 @@ is ruled out by less than the look itself.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,7 +29,7 @@ from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.happenings import STOPPED
 from ropewalk.record.hard_stops import hard_note
-from ropewalk.record.landings import Landing, hardest_landing
+from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import guess_doubt
 from ropewalk.record.moment_notes import moment_note
@@ -91,9 +91,9 @@ def noted(counts: Mapping[str, int] | None, of: int) -> list[tuple[str, str]]:
 
 
 def notes_of_extremes(
-    result: Result, found: dict[str, Extreme], landing: Landing | None
+    result: Result, found: dict[str, Extreme], landings: Sequence[Landing]
 ) -> dict[str, Note]:
-    """Return what there is to say of extremes, by their names, and HARD; `landing` gives most."""
+    """Return what there is to say of extremes, by their names, and HARD; `landings` are its ropes' ends'."""
     most, least = found["greatest tension"], found["least tension"]
     hard = hard_note(result, found)
     notes = {
@@ -105,7 +105,7 @@ def notes_of_extremes(
         "greatest stretch": ("beyond curve", curve_note(result, found["greatest stretch"])),
         "greatest anchor force": ("", "")
         if hard
-        else anchor_too_low(result, found["greatest anchor force"], most, landing),
+        else anchor_too_low(result, found["greatest anchor force"], most, landings),
         "greatest clamp moment": _of_moment(result, found),
         HARD: ("hard stop", hard),
     }
@@ -151,10 +151,9 @@ def _kinds(result: Result) -> Iterator[str]:
     at_rest = result.status == AT_REST
     if at_rest:
         found = less_rounding(result, found)
-    if at_rest:
         notes = notes_at_rest(result, found)
     else:
-        notes = notes_of_extremes(result, found, hardest_landing(result))
+        notes = notes_of_extremes(result, found, landings_of(result))
     yield from (kind for kind, _ in notes.values())
     near = margin(result, found) if UTILISATION in found else None
     events = () if at_rest else tuple(_of_events(result))

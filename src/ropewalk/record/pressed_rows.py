@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,10 +18,10 @@ if TYPE_CHECKING:
 _TITLE = "largest force on an obstacle"
 
 
-def pressed_rows(result: Result, tension: Extreme, landing: Landing | None) -> dict[str, Any]:
+def pressed_rows(result: Result, tension: Extreme, landings: Sequence[Landing]) -> dict[str, Any]:
     """Return the largest force of the ropes on one obstacle that does not turn freely; {} without any.
 
-    `tension` is the run's largest, `landing` that of a rope's end that gives most.
+    `tension` is the run's largest, `landings` those of ropes' ends.
     What a shape as it is drawn presses at the start does not count, as it is no load, unless it is at rest.
     """
     scene, pulleys = result.scene, result.layout.pulleys
@@ -38,5 +39,5 @@ def pressed_rows(result: Result, tension: Extreme, landing: Landing | None) -> d
     stop = "; of rigid links it may be momentum over a step" if hard else ""
     at = f"obstacle {names[row]!r}, t = {result.time[frame]:.6g} s, {SEEN}{stop}"
     told = {f"{_TITLE} [N]": most, f"{_TITLE} at": at}
-    note = "" if hard else obstacle_too_low(result, loads[:, row], frame, tension, landing)
+    note = "" if hard else obstacle_too_low(result, loads[:, row], frame, tension, landings)
     return told | ({"about the largest force on an obstacle": note} if note else {})

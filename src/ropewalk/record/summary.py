@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
-from ropewalk.record.landings import Landing, hardest_landing
+from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import moving_rows
@@ -55,7 +56,7 @@ def summary(result: Result) -> dict[str, Any]:
     energy = {name: part[:good] for name, part in result.energy.items()}
     error, errors = result.energy_error[:good], result.energy_errors[:good]
     share = share_turned(result)
-    seconds, broken, landing = result.facts.seconds, _broken(result), hardest_landing(result)
+    seconds, broken, landings = result.facts.seconds, _broken(result), landings_of(result)
     return {
         "status": result.status,
         "simulated time [s]": float(time[-1]),
@@ -64,10 +65,10 @@ def summary(result: Result) -> dict[str, Any]:
         **broken,
         **({"about these numbers": BURST} if result.status == BROKE else {}),
         **_steps(result),
-        **_told(result, found, landing),
+        **_told(result, found, landings),
         **_margins(result, found),
         **moving_rows(result),
-        **pressed_rows(result, found["greatest tension"], landing),
+        **pressed_rows(result, found["greatest tension"], landings),
         **(parting_rows(result.partings) if result.scene.parts else {}),
         "largest energy error [J]": _largest(errors),
         **({"largest energy error at": at} if (at := _error_at(result, errors)) else {}),
@@ -170,10 +171,10 @@ def _steps(result: Result) -> dict[str, Any]:
     }
 
 
-def _told(result: Result, found: dict[str, Extreme], landing: Landing | None) -> dict[str, Any]:
+def _told(result: Result, found: dict[str, Extreme], landings: Sequence[Landing]) -> dict[str, Any]:
     """Return the extremes with their places and times, those of anchors and clamps where there are any."""
     told: dict[str, Any] = {}
-    notes = notes_of_extremes(result, found, landing)
+    notes = notes_of_extremes(result, found, landings)
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
         if not (anchors and math.isnan(found[name].value)):

@@ -5,6 +5,7 @@ All are of the same steps: what these do not resolve is missing in each.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from ropewalk.core.arrays import Floats
@@ -35,9 +36,10 @@ def tension_too_low(result: Result, peak: Extreme) -> Told:
 
 
 def anchor_too_low(
-    result: Result, force: Extreme, tension: Extreme, landing: Landing | None
+    result: Result, force: Extreme, tension: Extreme, landings: Sequence[Landing]
 ) -> Told:
     """Return why the largest force of an anchor may be too low, or is a mean."""
+    landing = max(landings, key=lambda one: one.held, default=None)
     if landing is not None and force.value < _LOWER * landing.held:
         return "landing not shown", landing.words(landing.held, _steps(result))
     if text := anchor_note(result, force, tension):
@@ -53,13 +55,14 @@ def anchor_too_low(
 
 
 def obstacle_too_low(
-    result: Result, loads: Floats, frame: int, tension: Extreme, landing: Landing | None
+    result: Result, loads: Floats, frame: int, tension: Extreme, landings: Sequence[Landing]
 ) -> str:
     """Return why the largest of the forces on an obstacle in frames, (frames,) [N], may be too low; or "".
 
     `frame` is the one of the largest.
     """
     most, plan = float(loads[frame]), result.plan
+    landing = max(landings, key=lambda one: one.force, default=None)
     if landing is not None and most < _LOWER * landing.force:
         return landing.words(
             landing.force, f"{_steps(result)}, or frames between which there are some,"

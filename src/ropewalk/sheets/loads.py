@@ -9,7 +9,7 @@ import numpy as np
 
 from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.hard_stops import hard_note
-from ropewalk.record.landings import hardest_landing
+from ropewalk.record.landings import landings_of
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
@@ -215,7 +215,7 @@ def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
         "tension": tension_too_low(result, most)[1] or anchor_bears(result, most),
-        "force on an anchor": anchor_too_low(result, force, most, hardest_landing(result))[1],
+        "force on an anchor": anchor_too_low(result, force, most, landings_of(result))[1],
         "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
     }
     return [
