@@ -13,8 +13,9 @@ from ropewalk.core.peaks import EXTREMES
 from ropewalk.record.borne import Borne, borne_at
 from ropewalk.record.drums import rope_place
 from ropewalk.record.facts import AT_REST
-from ropewalk.record.margins import Margin, breaking_loads, utilisations
+from ropewalk.record.margins import Margin, breaking_loads, guessed_worst, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
+from ropewalk.scene.knotted import knotted_worst
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -23,6 +24,7 @@ SEEN = "of the recorded frames"  # between two of them there may be more
 _VALUES = 2_000_000  # numbers of one quantity looked at together
 UTILISATION = "greatest utilisation"  # of the breaking load [1]
 GUESSED = "utilisation nearest with the least of guesses"  # of the breaking load as given [1]
+KNOTTED = "utilisation nearest with the least of knots"  # of the breaking load without the knot [1]
 LEAST = ("least tension", "lowest point")
 _SIGNS = np.array([-1.0 if name in LEAST else 1.0 for name in EXTREMES])
 _COLUMNS = np.arange(len(EXTREMES))
@@ -66,7 +68,7 @@ def extremes(result: Result) -> dict[str, Extreme]:
     """Return the extremes before a break by their names in `core.peaks.EXTREMES`.
 
     Of every step where the run has kept them, else of the recorded frames. Units: N, N, 1, m/s, m, m, N, N m.
-    Besides UTILISATION and GUESSED, where a breaking load is known.
+    Besides UTILISATION, GUESSED and KNOTTED, where a breaking load is known.
     """
     found = _of_steps(result) if result.has_extremes else _of_frames(result)
     return found | _utilisation(result, found["greatest tension"])
@@ -110,30 +112,33 @@ def _of_steps(result: Result) -> dict[str, Extreme]:
 def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
     """Return the greatest tension over breaking load; `pull` is the greatest tension, often the same.
 
-    At rest what the anchor beside it bears counts, as in a check. And of the rope that comes nearest with
-    the least of guessed breaking loads, over its own as given.
+    At rest what the anchor beside it bears counts, as in a check. And of the ropes that come nearest with
+    the least of guessed breaking loads, and with the least that knots leave, over their own as given.
     """
     loads = breaking_loads(result.scene, result.layout)
-    least = None if loads is None else breaking_loads(result.scene, result.layout, least=True)
-    if loads is None or least is None:
+    if loads is None:
         return {}
     use = _greatest_share(result, loads, pull)
-    if np.array_equal(loads, least):
-        return {UTILISATION: use, GUESSED: use}
-    worst = _greatest_share(result, least, pull)
-    return {
-        UTILISATION: use,
-        GUESSED: worst._replace(value=worst.value * float(least[worst.place] / loads[worst.place])),
-    }
+    found = {UTILISATION: use}
+    for name, worst in ((GUESSED, guessed_worst), (KNOTTED, knotted_worst)):
+        least = breaking_loads(result.scene, result.layout, worst=worst)
+        if least is None or np.array_equal(loads, least):
+            found[name] = use
+            continue
+        most = _greatest_share(result, least, pull)
+        as_given = float(least[most.place] / loads[most.place])
+        found[name] = most._replace(value=most.value * as_given)
+    return found
 
 
 def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
     """Return how near a run comes to breaking by its extremes; None where that is not known."""
-    use, worst = found.get(UTILISATION), found.get(GUESSED)
-    if use is None or worst is None or math.isnan(use.value):
+    near = [found[name] for name in (UTILISATION, GUESSED, KNOTTED) if name in found]
+    if not near or math.isnan(near[0].value):
         return None
-    name, guessed = (result.layout.rope_of(one.place)[0] for one in (use, worst))
-    return Margin(name, use.value, guessed, worst.value)
+    use, guess, knot = near
+    name, guessed, knotted = (result.layout.rope_of(one.place)[0] for one in near)
+    return Margin(name, use.value, guessed, guess.value, knotted, knot.value)
 
 
 def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
@@ -168,7 +173,7 @@ def shares(result: Result, tension: Floats) -> Floats:
         raise LookupError("no rope has a breaking_load")
     found = np.where(np.isfinite(loads), utilisations(tension, loads), np.nan)
     if result.status == AT_REST:
-        for segment in _pulled_most(result):
+        for segment in filter(lambda one: math.isfinite(loads[one]), _pulled_most(result)):
             found[0, segment] = _borne(result, segment).most / float(loads[segment])
     return found
 

@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.scene.guess import COMPUTE, doubt_of, guesses_of, load_doubt, worst_of
-from ropewalk.scene.knotted import knot_doubt
+from ropewalk.scene.knotted import knot_doubt, knotted_worst
 from ropewalk.words.safe_side import percent_up, safety_factor
 
 if TYPE_CHECKING:
     from ropewalk.lowering import Layout
-    from ropewalk.scene import Scene
+    from ropewalk.scene import Rope, Scene
 
 _LEAST = "largest utilisation with the least of a guessed breaking load"
 
 
-def breaking_loads(scene: Scene, layout: Layout, *, least: bool = False) -> Floats | None:
+def breaking_loads(
+    scene: Scene, layout: Layout, *, worst: Callable[[Rope, float], float] | None = None
+) -> Floats | None:
     """Return the breaking load of every segment, (segments,) [N], inf where none is known; None of none.
 
-    Segments between two ropes, which carry nothing, have inf. With `least` the least of a guessed one.
+    Segments between two ropes, which carry nothing, have inf. With `worst`, what a doubt makes of a rope's
+    utilisation [1], the least that they may be.
     """
     if all(breaking_load(rope) is None for rope in scene.ropes):
         return None
@@ -30,7 +34,7 @@ def breaking_loads(scene: Scene, layout: Layout, *, least: bool = False) -> Floa
     for rope, span in zip(scene.ropes, layout.ropes, strict=True):
         load = breaking_load(rope)
         if load is not None:
-            loads[span.first : span.last] = load / (worst_of(rope.made_of, 1.0) if least else 1.0)
+            loads[span.first : span.last] = load / (worst(rope, 1.0) if worst else 1.0)
     return loads if np.isfinite(loads).any() else None
 
 
@@ -48,20 +52,30 @@ def breaking_load(rope: Any) -> float | None:
 
 
 class Margin(NamedTuple):
-    """The greatest utilisation, and the greatest with the least that guessed breaking loads may be."""
+    """The greatest utilisation, and the greatest with the least of guessed breaking loads, and of knots."""
 
     name: str  # of the rope that comes nearest
     utilisation: float  # [1]
     guessed: str  # the rope that comes nearest with the least of the guesses
     at_most: float  # its utilisation, with its own breaking load as it was guessed [1]
+    knotted: str  # the rope that comes nearest with the least that knots leave
+    untied: float  # its utilisation, of its breaking load without the knot [1]
 
 
 def margin_of(scene: Scene, utilisation: dict[str, float]) -> Margin:
     """Return the margin of ropes whose greatest utilisations [1] these are, by name; one at least."""
     name = max(utilisation, key=utilisation.__getitem__)
-    worst = {one: worst_of(scene.rope_named(one).made_of, use) for one, use in utilisation.items()}
-    guessed = max(utilisation, key=lambda one: (worst[one], one == name))
-    return Margin(name, utilisation[name], guessed, utilisation[guessed])
+    found: list[Any] = [name, utilisation[name]]
+    for worst in (guessed_worst, knotted_worst):
+        most = {one: worst(scene.rope_named(one), use) for one, use in utilisation.items()}
+        nearest = max(most, key=lambda one: (most[one], one == name))
+        found += [nearest, utilisation[nearest]]
+    return Margin(*found)
+
+
+def guessed_worst(rope: Rope, utilisation: float) -> float:
+    """Return the utilisation [1] of a rope with the least of a guessed breaking load."""
+    return worst_of(rope.made_of, utilisation)
 
 
 def doubt_words(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
@@ -69,8 +83,16 @@ def doubt_words(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
 
     `then`: what is to be done about a stiffness, or was done.
     """
-    knot = knot_doubt(scene.rope_named(margin.name), margin.utilisation)
-    return "; ".join(text for text in (guess_doubt(scene, margin, then), knot) if text)
+    told = (guess_doubt(scene, margin, then), knot_words(scene, margin))
+    return "; ".join(text for text in told if text)
+
+
+def knot_words(scene: Scene, margin: Margin) -> str:
+    """As `doubt_words`, of knots alone: another rope, which is tied in one, may come nearer."""
+    knot = knot_doubt(scene.rope_named(margin.knotted), margin.untied)
+    if knot and margin.knotted != margin.name:
+        return f"rope {margin.knotted!r} may come nearer: its breaking load is told {knot}"
+    return knot
 
 
 def guess_doubt(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:

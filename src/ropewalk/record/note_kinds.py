@@ -31,7 +31,7 @@ from ropewalk.record.happenings import STOPPED
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.limiter_note import limiter_note
-from ropewalk.record.margins import guess_doubt
+from ropewalk.record.margins import guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
 from ropewalk.record.too_low import anchor_too_low, tension_too_low
@@ -43,7 +43,6 @@ from ropewalk.record.turnover import (
     steady_note,
     sudden_note,
 )
-from ropewalk.scene.knotted import knot_doubt
 from ropewalk.words.counts import counted
 from ropewalk.words.pushes import largest_push
 
@@ -61,7 +60,7 @@ KINDS = {
     "energy not kept": "have an energy that their steps have not kept: do not trust forces and places",
     "limiter gives energy": "have a limiter that puts energy in: do not trust forces and velocities",
     "guess": "hang on a guessed number of the material",
-    "knot": "come nearest in a rope whose breaking load is told without its knot",
+    "knot": "come or may come nearest in a rope whose breaking load is told without its knot",
     "clamp moment too low": "have a clamp's moment that is too low for the length of the segments",
     "mean anchor force": "have an anchor's force, the mean over a step, less than the tension beside it",
     "end weight": "have an anchor that bears half a segment's weight more than the largest tension",
@@ -163,7 +162,7 @@ def _kinds(result: Result) -> Iterator[str]:
             yield "above breaking load"
         if guess_doubt(result.scene, near):
             yield "guess"
-        if knot_doubt(result.scene.rope_named(near.name), near.utilisation):
+        if knot_words(result.scene, near):
             yield "knot"
     if not at_rest:
         if not _keeps_energy(result) and _of_energy(result):

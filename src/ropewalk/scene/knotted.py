@@ -17,11 +17,21 @@ LEFT = (0.45, 0.75)
 _NO_KNOT = "bollard"  # its turns lie beside each other
 
 
+def is_tied(rope: Rope) -> bool:
+    """Tell whether a rope is tied in a knot that takes of its strength."""
+    return isinstance(rope.shape, Knot) and rope.shape.knot != _NO_KNOT
+
+
+def knotted_worst(rope: Rope, utilisation: float) -> float:
+    """Return the utilisation [1] with the least that a knot leaves; as it is where there is none."""
+    return utilisation / LEFT[0] if is_tied(rope) else utilisation
+
+
 def knot_doubt(rope: Rope, utilisation: float) -> str:
     """Return what a knot makes of a utilisation [1], on the safe side; "" of a rope that is tied in none."""
-    if not isinstance(rope.shape, Knot) or rope.shape.knot == _NO_KNOT or math.isnan(utilisation):
+    if not is_tied(rope) or math.isnan(utilisation):
         return ""
-    share = utilisation / LEFT[0]
+    share = knotted_worst(rope, utilisation)
     text = (
         f"without the knot, which leaves a rope some {100 * LEFT[0]:.0f} to {100 * LEFT[1]:.0f} % of its "
         f"strength: with the least of it {percent_up(100.0 * share, 3)}"
