@@ -14,6 +14,7 @@ from click.testing import Result
 import ropewalk as rw
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.sweeps.batch import Batcher
+from sweeps.scenes import EA, STIFF, of_format, swing
 
 Call = Callable[..., Result]
 VARY = ("--vary", "rope.made_of.spring_constant=500,1000,1e7", "--on", "here")
@@ -347,3 +348,21 @@ def test_one_run_is_told_as_one_and_folders_as_they_are_typed(
     told = ropewalk("info", "a sweep").stdout
     assert "1 of 1 made: 1 finished" in told
     assert "of 1 run, 5 % and 95 %" in told
+
+
+def test_no_heading_is_told_where_nothing_is_noted(ropewalk: Call, tmp_path: Path) -> None:
+    """It stood there alone, of sweeps without notes and of those from before there were any."""
+    heading = "of the runs that ended well"
+    calm = rw.preset("suspension-cable").replace(**{"run.duration": 0.02})
+    ask = {"keep": "tension.max", "on": "here"}
+    lengths = {"gravity[2]": [-9.8, -9.81]}
+    ds = rw.sweep(calm, lengths, store=tmp_path / "calm", **ask)
+    assert ds.notes.values.tolist() == ["", ""]
+    assert heading not in ropewalk("info", "calm").output
+    with of_format(3):
+        rw.sweep(calm, lengths, store=tmp_path / "old", **ask)
+    told = ropewalk("info", "old").output
+    assert "was not kept yet" in told
+    assert heading not in told
+    rw.sweep(swing(0.1), {EA: STIFF[:2]}, store=tmp_path / "noted", **ask)
+    assert heading in ropewalk("info", "noted").output

@@ -182,3 +182,25 @@ def test_utilisation_at_rest_is_what_the_anchor_bears() -> None:
 def test_utilisation_needs_a_breaking_load() -> None:
     with pytest.raises(rw.SceneError, match="no rope has a breaking_load"):
         rw.sweep(swing(), {EA: [1e3, 2e3]}, keep="utilisation.max", on="here")
+
+
+def test_a_rope_without_a_breaking_load_has_no_utilisation_at_rest() -> None:
+    """It had 0, which was the least of all segments, and counted in their mean."""
+    stuff = {"EA": 1e5, "mass_per_length": 0.1}
+    ropes = [
+        rw.Rope(
+            name=name, segments=4, length=2.0, made_of=rw.Material(**stuff, breaking_load=load),
+            shape={"kind": "hanging", "start": (x, 0, 0)}, loads=[{"node": -1, "mass": 50.0}],
+        )
+        for x, (name, load) in enumerate({"a": None, "b": 2000.0}.items())
+    ]  # fmt: skip
+    anchors = [{"rope": name, "node": 0} for name in "ab"]
+    keep = ["utilisation.min", "utilisation.mean", "safety_factor.max"]
+    two = rw.Scene(ropes=ropes, anchors=anchors)
+    one = rw.Scene(ropes=ropes[1:], anchors=anchors[1:])
+    for scene in (two, one):
+        ds = rw.sweep(scene, {"gravity[2]": [-9.81]}, keep=keep, what="rest", on="here")
+        least, most = 9.81 * (50.0 + 0.025) / 2000.0, 9.81 * (50.0 + 0.2) / 2000.0
+        assert ds.utilisation_min.item() == pytest.approx(least)
+        assert least < ds.utilisation_mean.item() < most
+        assert ds.safety_factor_max.item() == pytest.approx(1.0 / least)

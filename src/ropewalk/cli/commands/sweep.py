@@ -245,9 +245,8 @@ def info_folder(folder: Path, *, as_json: bool, checked: bool = False) -> None:
             f"of {counted(found['sample'], 'run')}, 5 % and 95 % are hardly more than the least and the "
             "largest met"
         )
-    print_table(
-        ("noted", "of the runs that ended well"), noted(found["notes"], found["ended well"])
-    )
+    if notes := noted(found["notes"], found["ended well"]):
+        print_table(("noted", "of the runs that ended well"), notes)
     if found["notes"] is None:
         say("what the table of each run warns of was not kept yet when this sweep was made")
     causes = [(str(count), why) for why, count in found["causes"].items()]
