@@ -55,15 +55,15 @@ export class Balance {
 
 /** @param {number} error [J] @param {number} share */
 export const balanceText = (error, share) =>
-  `energy off by up to ${quantity(error, "J")}, ${figures(100 * share)} % of what has changed: forces and places are ` +
-  "as doubtful, take a shorter step";
+  `energy off by up to ${quantity(error, "J")}, ${figures(100 * share)} % of what has changed`;
 
 export class BalanceNote {
   /** @param {Session} session */
   constructor(session) {
     this.session = session;
     this.host = h("div", { className: "numbers balance", id: "balance", hidden: true });
-    this.host.title = "What no law accounts for: the error of method and step";
+    this.host.title =
+      "What no law accounts for, the error of steps: forces and places are as doubtful. Take a shorter step";
     /** @type {Balance[]} */ this.balances = [];
     this.written = -Infinity;
     session.on("layout", () => this.begin());

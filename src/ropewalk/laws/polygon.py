@@ -12,8 +12,9 @@ round it has
     q = p + c e,
 exp(mu a) again, c the cosine between the rope and its pull on what rubs: 1 where tension grows along it, -1
 where it falls. That is the cone of p about the middle of the turn. e counts up to NEARLY p, so that friction
-takes, and up to half a segment's angle: more of it is another rope's, or weight. With segments longer than
-FINE radii, as knots on a bar have, nothing of it counts. Boxes and meshes lack it: they have flat faces.
+takes, HALF_WAY from p to a right angle, and half a segment's angle: more of it is another rope's, or weight.
+With segments longer than FINE radii, as knots on a bar have, nothing of it counts. Boxes and meshes lack it:
+they have flat faces.
 
 e changes as a node moves by a part of a segment, so that what it was a step ago were too much or too little
 by v dt / 2 R at both ends of a round. So it is looked at where the forces are; c is that of the last step.
@@ -29,6 +30,7 @@ from ropewalk.laws.obstacle_shapes import CAPSULE, CYLINDER, SPHERE, TORUS, prob
 
 LEVEL = 1e-6  # [rad] a node that turns by less lies straight
 NEARLY = 0.95  # [1] with all of p friction one way were 0, and would not tell which way it was
+HALF_WAY = 0.5  # [1] to a right angle: beyond that friction were less than none
 FINE = 0.35  # [1] longest segment over the radius
 MOVES = 1e-3  # [rad] a node that is off the middle by less is between others, where nothing changes
 
@@ -87,10 +89,10 @@ def node_friction(obstacles, o, x, i, probed, rubs, stiffness):
 @kernel
 def counting(x, i, a, ca, cb, middle):
     """Return up to which angle a normal off the middle counts [rad]; `a`, `ca`, `cb` as of `probe`."""
-    step = max(angle_of(x, i - 1, a, ca, cb), angle_of(x, i, a, ca, cb))
-    if step > FINE:
+    step, p = max(angle_of(x, i - 1, a, ca, cb), angle_of(x, i, a, ca, cb)), math.atan(middle)
+    if not 0.0 < step <= FINE:  # nor on the inside of a ring
         return 0.0
-    return min(0.5 * step, NEARLY * math.atan(middle))
+    return min(0.5 * step, NEARLY * p, HALF_WAY * (0.5 * math.pi - p))
 
 
 @kernel
