@@ -46,8 +46,6 @@ _FRICTION = (
 #: Largest angle between two segments of the unloaded rope [rad].
 _MOST_TURN = 1.0
 _TENSION_ONLY = "Whether a segment shorter than its rest length goes slack instead of pushing"
-
-
 _PARTS = "Whether it parts where the tension passes its breaking load"
 
 
