@@ -36,6 +36,7 @@ KEPT_BY = (
     "record/note_kinds.py",
     "record/parted.py",
     "record/peak_energy.py",
+    "record/pressed_rows.py",
     "record/quantities.py",
     "record/rest.py",
     "record/result.py",
