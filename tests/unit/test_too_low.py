@@ -10,8 +10,18 @@ import pytest
 import ropewalk as rw
 from ropewalk.record.extremes import extremes
 from ropewalk.record.landings import landings_of
+from ropewalk.record.note_kinds import kinds
 from ropewalk.record.too_low import anchor_too_low
-from ropewalk.scene import Material, Plane, Rope, RunSettings, Scene, Straight
+from ropewalk.scene import (
+    Anchor,
+    Material,
+    Plane,
+    Rope,
+    RunSettings,
+    Scene,
+    Straight,
+    Velocity,
+)
 
 FLOOR, HAND = "about the largest force on an obstacle", "about the largest anchor force"
 ENERGY, PULL = "about the energy", "about the largest tension"
@@ -100,6 +110,65 @@ def test_ends_of_many_ropes_are_read_at_once(monkeypatch: pytest.MonkeyPatch) ->
         assert 0 < len(reads) <= 4  # with the times
 
 
+def test_what_a_shape_presses_at_first_is_what_was_there_before() -> None:
+    """1.32 N as drawn, 0.98 N a frame later: that was told as a jerk from nothing."""
+    rope = Rope(
+        segments=10,
+        length=1.0,
+        diameter=0.01,
+        made_of=Material(EA=1e5, mass_per_length=0.1),
+        shape=Straight(start=(0, 0, 0.00495), direction=(1, 0, 0)),
+    )
+    run = RunSettings(duration=0.008, frame_rate=250, method="implicit-euler", time_step=0.002)
+    table = rw.simulate(Scene(ropes=(rope,), obstacles=(Plane(name="floor"),), run=run)).table
+    assert table["largest force on an obstacle [N]"] > 0.9
+    assert FLOOR not in table
+
+
+def beside(gap: float) -> rw.Result:
+    """A rope that lies on a floor, and one that an anchor pulls at then, above it or on it, too."""
+    made_of = Material(EA=1e5, mass_per_length=0.1)
+    shapes = (Straight(start=(0, y, z), direction=(1, 0, 0)) for y, z in ((0, 0.004963), (1, gap)))
+    ropes = tuple(
+        Rope(name=name, segments=10, length=1.0, diameter=0.01, made_of=made_of, shape=shape)
+        for name, shape in zip(("lies", "pulled"), shapes, strict=True)
+    )
+    pull = Velocity(velocity=(0.5, 0, 0), start=0.004, stop=0.008)
+    anchors = (Anchor(rope="pulled", node=0), Anchor(rope="pulled", node=-1, motion=pull))
+    run = RunSettings(duration=0.02, frame_rate=250, method="implicit-euler", time_step=0.002)
+    scene = Scene(ropes=ropes, anchors=anchors, obstacles=(Plane(name="floor"),), run=run)
+    return rw.simulate(scene)
+
+
+@pytest.mark.parametrize(("gap", "there"), [(1.0, False), (0.004963, True)])
+def test_a_peak_of_a_rope_that_does_not_press_says_nothing_of_an_obstacle(
+    gap: float, there: bool
+) -> None:
+    table = beside(gap).table
+    assert PULL in table
+    assert ("see the largest tension" in table.get(FLOOR, "")) == there
+
+
+def test_a_peak_of_another_time_says_nothing_of_a_force() -> None:
+    """The jerk of 0.18 s was told of an obstacle's force of 0.28 s. The twin: at the same time."""
+    table = rw.simulate(rw.preset("stairs").replace(**{"run.duration": 0.5})).table
+    assert "a jerk" in table[PULL]
+    assert FLOOR not in table
+    result = beside(1.0)
+    force, tension = (
+        extremes(result)[one] for one in ("greatest anchor force", "greatest tension")
+    )
+    assert anchor_too_low(result, force._replace(until=tension.until), tension, ())[1]
+    assert not anchor_too_low(result, force._replace(until=0.0), tension, ())[1]
+
+
+def test_rounding_is_no_hit_and_no_jerk() -> None:
+    """Of 3e-22 J, 1e-15 N and 9e-8 N, a strain of 2e-11, where nothing moves. The twins are above."""
+    still = {"gravity": (0, 0, 0), "run.duration": 0.5}
+    table = rw.simulate(rw.preset("stairs").replace(**still)).table
+    assert not {ENERGY, PULL, FLOOR} & set(table)
+
+
 def test_a_hit_that_a_long_run_makes_small_is_told_all_the_same() -> None:
     """4.5 % of all that it turns over, and 80 % of what there was then."""
     table = rw.simulate(rw.preset("pile")).table
@@ -115,3 +184,14 @@ def test_smooth_runs_tell_no_hit(name: str) -> None:
         table = rw.simulate(scene.replace(**run)).table
         assert "came within one frame" not in table.get(ENERGY, "")
         assert ("see the largest tension" in table.get(HAND, "")) <= (PULL in table)
+
+
+def test_a_peak_that_lost_energy_does_not_hide_the_weight_at_an_end() -> None:
+    made_of = Material(EA=1e3, mass_per_length=0.5)
+    shape = Straight(start=(0, 0, 0), direction=(0, 0, -1))
+    rope = Rope(segments=5, length=3.0, diameter=0.01, made_of=made_of, shape=shape)
+    run = RunSettings(duration=0.5, method="implicit-euler", time_step=0.02)
+    result = rw.simulate(Scene(ropes=(rope,), anchors=(Anchor(node=0),), run=run))
+    assert "half a segment's weight more" in result.table[PULL]
+    assert "J until then" in result.table[PULL]
+    assert {"peak may be too low", "end weight"} <= set(kinds(result))

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from ropewalk.lowering import Plan
     from ropewalk.record.result import Result
 
+SLACK = 1e-10  # [1] a strain of less is rounding of places
 MOST = 0.01  # [1] of weight times length
 TURNED = 5.0  # [%] of the energy turned over: more than that is no ledger
 _NOTHING = 1e-4  # [1] of weight times length: a rope that hardly moves turns over nothing
@@ -157,6 +158,15 @@ def weight_times_length(scene: Scene) -> float:
     """Return the weight of all ropes and loads times the longest rope's length [J]."""
     mass = sum(rope.total_mass for rope in scene.ropes)
     return math.hypot(*scene.gravity) * mass * max(rope.length_unstretched for rope in scene.ropes)
+
+
+def energy_of_rounding(scene: Scene) -> float:
+    """Return the energy of ropes that are stretched by rounding of their nodes' places [J]."""
+    elastic = [rope for rope in scene.ropes if not rope.rigid]
+    stored = (
+        one.segment_stiffness * one.segment_length * one.length_unstretched for one in elastic
+    )
+    return 0.5 * SLACK**2 * sum(stored)
 
 
 def is_damped(scene: Scene) -> bool:

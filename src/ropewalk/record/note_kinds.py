@@ -7,7 +7,7 @@ is ruled out by less than the look itself.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -98,9 +98,8 @@ def notes_of_extremes(
     most, least = found["greatest tension"], found["least tension"]
     hard = hard_note(result, found)
     notes = {
-        "greatest tension": _first(
-            tension_too_low(result, most),
-            lambda: ("end weight", anchor_bears(result, most)),
+        "greatest tension": _both(
+            tension_too_low(result, most), ("end weight", anchor_bears(result, most))
         ),
         "least tension": ("push", push_note(result, least, most.value)),
         "greatest stretch": ("beyond curve", curve_note(result, found["greatest stretch"])),
@@ -113,11 +112,10 @@ def notes_of_extremes(
     return {name: note for name, note in notes.items() if note[1]}
 
 
-def _first(note: Note, *others: Callable[[], Note]) -> Note:
-    """Return the first note that says anything; the later ones are not made then."""
-    for other in others:
-        note = note if note[1] else other()
-    return note
+def _both(*notes: Note) -> Note:
+    """Return these notes as one, of several kinds."""
+    told = [note for note in notes if note[1]]
+    return BETWEEN.join(kind for kind, _ in told), BETWEEN.join(text for _, text in told)
 
 
 def _of_moment(result: Result, found: dict[str, Extreme]) -> Note:
@@ -159,7 +157,8 @@ def _kinds(result: Result) -> Iterator[str]:
         notes = notes_of_extremes(result, found, landings)
         if _presses_more(result, found["greatest tension"], landings):
             yield "landing not shown"
-    yield from (kind for kind, _ in notes.values())
+    for kind, _ in notes.values():
+        yield from kinds_in(kind)
     near = margin(result, found) if UTILISATION in found else None
     events = () if at_rest else tuple(_of_events(result))
     yield from events

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.balances import SLACK, energy_of_rounding
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.record.turnover import own_kinetic
@@ -44,6 +45,10 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
     lost = float(errors.max() - errors[-1].min()) if errors.size else 0.0
     about = slice(max(frame - 1, 0), frame + 1)
     there = float((own_kinetic(result)[about] + result.energy["elastic"][about]).max())
+    rope = result.scene.rope_named(result.layout.rope_of(peak.place)[0])
+    slack = SLACK * rope.segment_stiffness * rope.segment_length
+    if not lost > energy_of_rounding(result.scene) or (peak.value < slack and not rope.rigid):
+        return ""
     if not (there > 0.0 and 100.0 * lost > _TOLD * (there + lost)):
         return ""
     apart, in_step = (

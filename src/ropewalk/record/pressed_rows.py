@@ -29,9 +29,11 @@ def pressed_rows(result: Result, tension: Extreme, landings: Sequence[Landing]) 
     if not names or "contact_force" not in result.source.names:
         return {}
     loads = body_loads(result, range(result.good_frames), names)
-    if scene.run.start != "at-rest":
-        loads[:1] = 0.0
-    frame, row = divmod(int(np.argmax(loads)), len(names))
+    first = 0 if scene.run.start == "at-rest" else 1
+    if len(loads) <= first:
+        return {}
+    frame, row = divmod(int(np.argmax(loads[first:])), len(names))
+    frame += first
     most = float(loads[frame, row])
     if not most > 0.0:
         return {}

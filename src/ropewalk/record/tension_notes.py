@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.methods.registry import METHODS
+from ropewalk.record.balances import SLACK
 from ropewalk.record.end_weight import weight_note
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
@@ -26,7 +27,6 @@ BLURRED = (
 )
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 _LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
-_SLACK = 1e-12  # [1] a strain of less is rounding of places
 
 
 def tension_note(result: Result, peak: Extreme) -> str:
@@ -47,7 +47,7 @@ def tension_note(result: Result, peak: Extreme) -> str:
     frame = int(np.searchsorted(result.time, peak.until))
     if not 0 < frame < result.frames or not 0.0 < through < RESOLVED * plan.dt:
         return ""
-    if peak.value < _SLACK * rope.segment_stiffness * rope.segment_length:
+    if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
     before = float(result.read("tension", frame - 1, frame)[0, peak.place])
     if not before < JERK * peak.value:

@@ -8,7 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ropewalk.core.arrays import Floats
+from ropewalk.record.balances import SLACK
+from ropewalk.record.body_loads import of_nodes
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.landings import Landing
 from ropewalk.record.peak_energy import peak_energy_note
@@ -19,9 +23,14 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _LOWER = 0.95  # [1] of what a landing gives at least: less is too low
-_AS_THERE = (
-    "see the largest tension: it is of the same steps, which do not resolve what makes that one"
-)
+_ABOUT = 2  # frames from one largest force to another that comes of the same
+_SAME = "see the largest tension, of about the same time: "
+#: What is said of a force beside the largest tension's kind of note.
+_AS_THERE = {
+    "peak may be wrong": _SAME
+    + "it is of the same steps, which do not resolve what makes that one",
+    "peak may be too low": _SAME + "the energy that was lost until then may be missing here, too",
+}
 
 
 #: Kind of a note for a sweep's counts, and its text, "" where there is nothing to say.
@@ -50,8 +59,7 @@ def anchor_too_low(
     node = layout.anchor_nodes[force.place]
     if layout.rope_of(node)[0] != layout.rope_of(tension.place)[0]:
         return "", ""
-    kind, text = tension_too_low(result, tension)
-    return kind, _AS_THERE if text else ""
+    return _as_there(result, int(np.searchsorted(result.time, force.until)), tension)
 
 
 def obstacle_too_low(
@@ -67,6 +75,10 @@ def obstacle_too_low(
         return landing.words(
             landing.force, f"{_steps(result)}, or frames between which there are some,"
         )
+    elastic = [one for one in result.scene.ropes if not one.rigid]
+    stiff = max((one.segment_stiffness * one.segment_length for one in elastic), default=0.0)
+    if not most > SLACK * stiff:  # nothing presses
+        return ""
     before = float(loads[frame - 1]) if frame else most
     if before < JERK * most and (plan.steps_per_frame > 1 or plan.tolerance is not None):
         share = percent(100.0 * before / most)
@@ -74,7 +86,22 @@ def obstacle_too_low(
             f"from {share} of it one frame before: between two frames there may be far more; a higher "
             "frame_rate, up to a frame a step, shows it"
         )
-    return _AS_THERE if tension_too_low(result, tension)[1] else ""
+    if not tension.value > 0.0:
+        return ""
+    name, _ = result.layout.rope_of(tension.place)
+    span = result.layout.span(name)
+    pressed = np.nan_to_num(result.read(of_nodes(result), frame, frame + 1))
+    if not pressed[0, span.first : span.last + 1].any():
+        return ""
+    return _as_there(result, frame, tension)[1]
+
+
+def _as_there(result: Result, frame: int, tension: Extreme) -> Told:
+    """Return what the note of the largest tension makes of a force of its rope in this frame."""
+    if abs(frame - int(np.searchsorted(result.time, tension.until))) > _ABOUT:
+        return "", ""
+    kind, text = tension_too_low(result, tension)
+    return kind, _AS_THERE[kind] if text else ""
 
 
 def _steps(result: Result) -> str:

@@ -26,7 +26,7 @@ from ropewalk.laws.parting import NAME as PARTING
 from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.lowering.masses import line, masses
 from ropewalk.methods.registry import METHODS
-from ropewalk.record.balances import shorter_steps, weight_times_length
+from ropewalk.record.balances import energy_of_rounding, shorter_steps, weight_times_length
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.motions import Fixed
 from ropewalk.words.percents import percent
@@ -126,6 +126,9 @@ def sudden_note(result: Result, share: float) -> str:
     jump, worst = float(jumps[frame - 1]), float(np.nanmax(np.abs(result.energy_errors[:good])))
     about = slice(max(frame - _ABOUT, 0), frame + _ABOUT)  # what begins to fall has little at first
     there = float((own_kinetic(result)[about] + result.energy["elastic"][:good][about]).max())
+    rounding = _STILL * max(_largest(result.energy.values()), weight_times_length(result.scene))
+    if not jump > max(rounding, energy_of_rounding(result.scene)):
+        return ""
     if not (jump > SUDDEN * 100.0 * worst / share and jump > _ALL * (jump + there)):
         return ""
     steps = f"steps of {1e3 * plan.dt:.3g} ms" if plan.tolerance is None else "tolerance"

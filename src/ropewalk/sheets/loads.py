@@ -13,6 +13,7 @@ from ropewalk.record.landings import landings_of
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
+from ropewalk.record.note_kinds import BETWEEN
 from ropewalk.record.tension_notes import anchor_bears
 from ropewalk.record.too_low import anchor_too_low, tension_too_low
 from ropewalk.scene.guess import COMPUTE
@@ -88,15 +89,20 @@ def _of_the_run(run: Result) -> list[Item]:
     items: list[Item] = []
     if hard := hard_note(run, found):
         items.append(Text(f"Hard stops in the run: {hard}.", warning=True))
-    elif note := tension_too_low(run, most)[1]:
+        return items + _of_energy(run)
+    if note := tension_too_low(run, most)[1]:
         items.append(Text(f"The largest tension in the run: {note}.", warning=True))
-    elif note := anchor_bears(run, most):
+    if note := anchor_bears(run, most):
         said = f"The largest tension in the run is that of a segment: {note}."
         items.append(Text(said, warning=True))
-    if run.table.get("about the energy"):
-        said = "Before numbers of the run are used, see what is said of its energy under Method."
-        items.append(Text(said, warning=True))
-    return items
+    return items + _of_energy(run)
+
+
+def _of_energy(run: Result) -> list[Item]:
+    if not run.table.get("about the energy"):
+        return []
+    said = "Before numbers of the run are used, see what is said of its energy under Method."
+    return [Text(said, warning=True)]
 
 
 def rest_section(
@@ -214,7 +220,9 @@ def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
     if hard := hard_note(result, found):
         return [Text(f"Hard stops: {hard}.", warning=True)]
     notes = {
-        "tension": tension_too_low(result, most)[1] or anchor_bears(result, most),
+        "tension": BETWEEN.join(
+            filter(None, (tension_too_low(result, most)[1], anchor_bears(result, most)))
+        ),
         "force on an anchor": anchor_too_low(result, force, most, landings_of(result))[1],
         "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
     }
