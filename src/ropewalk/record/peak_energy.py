@@ -22,7 +22,7 @@ from ropewalk.words.percents import percent
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-_TOLD = 2.0  # [%] of the energy then: a hundredth of the force
+_TOLD = 2.0  # [%] of the energy then: 1 % of the force, but up to 12.5 % of motions in step
 
 
 def peak_energy_note(result: Result, peak: Extreme) -> str:
@@ -51,16 +51,37 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
         return ""
     if not (there > 0.0 and 100.0 * lost > _TOLD * (there + lost)):
         return ""
+    head = (
+        f"{plan.method} lost {lost:.3g} J until then, beside {there:.3g} J of motion and stretch of all "
+        "ropes"
+    )
+    if not _hangs_together(result):
+        return (
+            f"{head}, which nothing joins: what another one lost has nothing to do with it; if this "
+            f"one lost it, it may be too low; compare it with a run of {_finer(result)}"
+        )
     apart, in_step = (
         1.0 - 1.0 / math.sqrt(1.0 + lost / there),
         1.0 - 1.0 / (1.0 + math.sqrt(lost / there)),
     )
     return (
-        f"{plan.method} lost {lost:.3g} J until then, beside {there:.3g} J of motion and stretch of all "
-        f"ropes: if that belongs in it, it is too low by some {percent(100.0 * apart)} to "
+        f"{head}: if that belongs in it, it is too low by some {percent(100.0 * apart)} to "
         f"{percent(100.0 * in_step)} (in step with it), a guess and no bound; compare it with a run of "
         f"{_finer(result)}"
     )
+
+
+def _hangs_together(result: Result) -> bool:
+    """Tell whether all ropes may hand each other energy: by joints, slides, pulleys, or as they touch."""
+    scene, layout = result.scene, result.layout
+    if len(scene.ropes) == 1 or scene.contact is not None or layout.pulleys:
+        return True
+    ties = [{tie.rope for tie in one.points} for one in scene.joints]
+    ties += [{one.rope, one.on} for one in scene.slides]
+    joined = {scene.ropes[0].name}
+    for _ in scene.ropes:
+        joined |= set().union(*(tie for tie in ties if tie & joined))
+    return len(joined) == len(scene.ropes)
 
 
 def _finer(result: Result) -> str:
