@@ -5,7 +5,7 @@ friction spring's force then, P = I - n n^T and R the force of a squeeze, see `h
     R_n = max(0, R(-g) - z c n.v)                         a damper that never pulls, see `closing`
     q   = P (R' - k_t D) - c P v
     R_t = q            where |q| <= mu R_n                it sticks
-          mu R_n q/|q| elsewhere                          it slips; mu of a node, see `polygon`
+          mu R_n q/|q| elsewhere                          it slips
 What is kept to the next step is the spring's part, P (R' - k_t D), cut to mu R_n. A contact that sticks does
 not creep: its memory is a force. A node that an anchor or a drum holds is pushed by nothing: it is where it
 is held, see `held_nodes`. A body that moves is looked at in its own frame, at the time of the forces.
@@ -13,6 +13,11 @@ k_t is R over the depth at the last step, k of what is not pressed far. With c =
 that hits a surface on its own stays there; with less it leaves with a part of its speed, see `rebound`.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
+
+Where nodes lie round a surface and turn towards it by the angle a each, a polygon's tensions grow by more
+than exp(mu a). So mu is replaced by
+    tanh(mu a / 2) / tan(a / 2),
+with which two equal chords have exactly T2 / T1 = (1 + mu' tan(a/2)) / (1 - mu' tan(a/2)) = exp(mu a).
 """
 
 from __future__ import annotations
@@ -37,7 +42,6 @@ from ropewalk.laws.contact_frame import (
 from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
-from ropewalk.laws.polygon import find_frictions, keep_friction
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
@@ -51,7 +55,6 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     """
     first, last = max(lo, 0), min(hi, x.shape[1])  # with no index below 0 loops vectorise
     place, held, apart = memory.place, memory.held, force.shape[0] > 3
-    find_frictions(x, obstacles, memory, now, first, last)
     find_rates(x, v, obstacles, memory, now)
     for row in range(force.shape[0]):
         for i in range(first, last):
@@ -108,7 +111,6 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     """
     n, place, held, closed = x.shape[1], memory.place, memory.held, 0.0
     dt = now[0] - now[1]
-    find_frictions(x, obstacles, memory, now, 0, n)
     find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
         hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
@@ -154,8 +156,8 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
                 power = rx * (lx + gx) + ry * (ly + gy) + rz * (lz + gz)
                 memory.given[i] += max(dt * power, 0.0)
-            probed = (nx, ny, nz, ax, ay, az, ca, cb)
-            keep_friction(x, obstacles, memory, o, i, probed, stiffness)
+            turn = turn_towards(x, i, nx, ny, nz, stiffness)
+            grip[GRIP, i] = on_polygon(obstacles.friction[o, i], turn)
     keep_wheels(obstacles, memory, dt)
     for k in range(3):
         for i in range(n):
@@ -227,6 +229,38 @@ def is_stopped_hard(obstacles, force, o, i, gap, rise, dt):
     k, c, row = obstacles.stiffness[o, i], obstacles.damping[o, i], 3 + 6 * o
     soft = k * max(obstacles.thickness[i] - gap - rise * dt, 0.0) - c * rise
     return force[row, i] ** 2 + force[row + 1, i] ** 2 + force[row + 2, i] ** 2 > soft * soft
+
+
+@kernel
+def turn_towards(x, i, nx, ny, nz, stiffness):
+    """Return the angle by which the rope turns at node `i` towards a surface of this normal [rad]; else 0.
+
+    From how steeply the segment before it rises from the surface to how the one after it does: all of the
+    angle between them in a plane with the normal, nothing of it within the surface, as in a bight on a floor.
+    """
+    if i == 0 or i == x.shape[1] - 1 or stiffness[i - 1] == 0.0 or stiffness[i] == 0.0:
+        return 0.0
+    ax, ay, az = x[0, i] - x[0, i - 1], x[1, i] - x[1, i - 1], x[2, i] - x[2, i - 1]
+    bx, by, bz = x[0, i + 1] - x[0, i], x[1, i + 1] - x[1, i], x[2, i + 1] - x[2, i]
+    before, after = nx * ax + ny * ay + nz * az, nx * bx + ny * by + nz * bz
+    if before <= 0.0 and after >= 0.0:  # away from it
+        return 0.0
+    a, b = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
+    if not (a > 0.0 and b > 0.0):
+        return 0.0
+    before, after = before / a, after / b
+    if not before > after:
+        return 0.0
+    before, after = min(max(before, -1.0), 1.0), min(max(after, -1.0), 1.0)
+    return max(math.asin(before) - math.asin(after), 0.0)
+
+
+@kernel
+def on_polygon(friction, turn):
+    """Return the coefficient with which a node that turns by `turn` [rad] acts as its arc would."""
+    if turn < 1e-6:
+        return friction
+    return math.tanh(0.5 * friction * turn) / math.tan(0.5 * turn)
 
 
 @deferred("float64")

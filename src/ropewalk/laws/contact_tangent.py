@@ -20,7 +20,6 @@ from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
-from ropewalk.laws.polygon import find_frictions
 from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
@@ -29,7 +28,6 @@ from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the band's diagonal."""
     diagonal, place = band.diagonal, memory.place
-    find_frictions(x, obstacles, memory, now, 0, x.shape[1])
     find_rates(x, v, obstacles, memory, now)
     begin_ties(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):

@@ -12,13 +12,10 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact_frame import AHEAD, GRIP, PUSH, STIFF, surface_at
+from ropewalk.laws.contact_frame import GRIP, PUSH, STIFF, surface_at
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned
 
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
-NEARLY = (
-    1.0 - 1e-6
-)  # [1] ... where it hangs on how the rope pulls as well, which turns a little in a step
 SHARE = 0.2  # [1] of the way at the first speed: what a step errs by that stops somewhere within
 LATE = 0.95  # [1] of a step: so late a stop is not within it for sure
 UNSEEN = 0.9  # [1] of the longest step whose stops are passed over: none is cut shorter, or twice by rounding
@@ -26,7 +23,7 @@ UNSEEN = 0.9  # [1] of the longest step whose stops are passed over: none is cut
 
 @kernel
 def at_limit(grip, i, mu):
-    """Tell whether friction at a node carries all that it can with so much of it; `grip` (8, n)."""
+    """Tell whether friction at a node carries all that it can with so much of it; `grip` (7, n)."""
     most = mu * grip[PUSH, i]
     square = grip[0, i] ** 2 + grip[1, i] ** 2 + grip[2, i] ** 2
     return most > 0.0 and math.sqrt(square) >= AT_LIMIT * most
@@ -71,8 +68,6 @@ def standstills(obstacles, before, after, dt, tolerance):
             if not at_limit(first, i, mu) and pull <= mu * first[PUSH, i]:
                 continue
             wx, wy, wz = slip_at(obstacles, o, there, after.x, after.v, i)
-            if first[AHEAD, i] != 0.0:  # on a round's end it is that of its own turn
-                mu = NEARLY * min(mu, last[GRIP, i])
             if at_limit(last, i, mu) and ux * wx + uy * wy + uz * wz >= 0.0:
                 continue
             changes += 1

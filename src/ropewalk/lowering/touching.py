@@ -11,26 +11,18 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.closing import closing
-from ropewalk.laws.contact import push_on
+from ropewalk.laws.contact import on_polygon, push_on, turn_towards
 from ropewalk.laws.contact_frame import find_gaps, surface_at
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.laws.obstacle_pose import rates_of
-from ropewalk.laws.polygon import (
-    counting,
-    is_round,
-    lies_inside,
-    node_friction,
-    on_polygon,
-    slopes,
-)
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 _PARALLEL = 1e-9  # [1] least of A's eigenvalues over the largest, below which surfaces are parallel
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
 _Row = tuple[
-    int, int, Floats, float, float, Floats, float, float, Floats
+    int, int, Floats, float, float, Floats, float, float
 ]  # in the order that `_shared` reads
 
 
@@ -44,11 +36,8 @@ class Contacts(NamedTuple):
     turn: Floats  # (c,) angle by which the rope turns there towards the obstacle [rad]
     aside: Floats  # (c,) ... and within its surface [rad]
     rub: Floats  # (c, 3) R_t [N]
-    friction: Floats  # (c,) coefficient with which the node acts as its arc, the way it rubs [1]
+    friction: Floats  # (c,) coefficient with which the node acts as its arc [1]
     slip: Floats  # (c, 3) velocity of the node over the surface [m/s]
-    # Friction is within a cone about the middle of the node's turn, see `laws.polygon`.
-    middle: Floats  # (c, 3) that direction [1]; the normal but for round bodies
-    cone: Floats  # (c,) tangent of its angle [1]
 
     @property
     def use(self) -> Floats:
@@ -119,34 +108,12 @@ def contacts_at(
         push = push_on(table, o, i, gap, rise)
         if not push > 0.0:
             continue
-        rise, fall = slopes(x, i, *direction) if lies_inside(x, i, stiffness) else (0.0, 0.0)
-        turn = rise + fall
+        turn = turn_towards(x, i, *direction, stiffness)
         friction = on_polygon(table.friction[o, i], turn)
         along = over[o, j] - normal * (normal @ over[o, j])
         aside = turn_within(x, i, normal) if turn > 0.0 else 0.0
-        middle = normal
-        if turn > 0.0 and is_round(table, o):
-            counts = counting(x, i, (ax, ay, az), ca, cb, friction)
-            middle = _middle(x, i, normal, min(max(0.5 * (rise - fall), -counts), counts))
-        rows.append((o, i, normal, push, friction, along, turn, aside, middle))
-    found = _shared(rows, force)
-    for row, (o, i, normal, *_) in enumerate(rows):
-        if rows[row][-1] is not normal:
-            rub, probed = tuple(found.rub[row].tolist()), surface_near(table, o, x[:, i], t)[1:]
-            found.friction[row] = node_friction(table, o, x, i, tuple(probed), rub, stiffness)[0]
-    return found
-
-
-def _middle(x: Floats, i: int, normal: Floats, off: float) -> Floats:
-    """Return the middle of the turn at a node, which its normal is off by so much [rad]."""
-    before, after = x[:, i] - x[:, i - 1], x[:, i + 1] - x[:, i]
-    along = before / np.linalg.norm(before) + after / np.linalg.norm(after)
-    along -= normal * (normal @ along)
-    size = float(np.linalg.norm(along))
-    if not size > 0.0:
-        return normal
-    found: Floats = math.cos(off) * normal - math.sin(off) / size * along
-    return found
+        rows.append((o, i, normal, push, friction, along, turn, aside))
+    return _shared(rows, force)
 
 
 def turn_within(x: Floats, i: int, normal: Floats) -> float:
@@ -221,8 +188,6 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
         rub=rub,
         friction=friction,
         slip=np.array([row[5] for row in rows]).reshape(count, 3),
-        middle=np.array([row[8] for row in rows]).reshape(count, 3),
-        cone=friction.copy(),
     )
 
 

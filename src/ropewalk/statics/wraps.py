@@ -267,8 +267,8 @@ def _allowed(
             )
             out = _unit(x[:, i + step] - x[:, i])
             row = row_of.get(int(i))
-            mu = float(contacts.cone[row]) if row is not None else 0.0
-            n = contacts.middle[row] if row is not None else _unit(into - out)
+            mu = float(contacts.friction[row]) if row is not None else 0.0
+            n = contacts.normal[row] if row is not None else _unit(into - out)
             pull = _held(pull * into - others[:, i], out, n, mu, more=more)
             if math.isinf(pull):
                 break
@@ -279,7 +279,7 @@ def _allowed(
 def _held(given: Floats, out: Floats, n: Floats, mu: float, *, more: bool) -> float:
     """Return the largest tension T of the segment along `out` that a contact holds [N], or the least.
 
-    With c the `given` force, R = c - T out has to be within the cone of friction about its middle `n`,
+    With c the `given` force, R = c - T out has to be within the cone of friction about the normal `n`,
         |c_t - T o_t|^2 = mu^2 (c_n - T o_n)^2
     at its edge: what R carries across the rope it lacks along it. inf where the node jams; where no tension
     would do, the one that comes nearest.
