@@ -3,8 +3,9 @@
 Implicit Euler leaves a rope that swings velocities along the chord of its way. With these the next step
 that has an explicit first stage makes up energy again, and so on, until most of the swing is lost; halves
 by SDIRK2, which has no such stage, end that. BDF2 goes on after halves by a step of ESDIRK3, as after one
-by SDIRK2 it makes up energy. With rigid links all parts are by implicit Euler: there the velocities are
-put right, see `impacts.rest_links`.
+by SDIRK2 it makes up energy. Beside obstacles all parts are by implicit Euler: it takes impacts, and its
+friction gives nothing. So they are with rigid links: there the velocities are put right, see
+`impacts.rest_links`.
 """
 
 from __future__ import annotations

@@ -322,7 +322,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit Euler;
     one that makes up energy is taken as `halves` says.
     """
-    rescue = scratch.halves[LAST]
+    rescue, among_obstacles = scratch.halves[LAST], state.memory.obstacle.grip.shape[0] > 0
     kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
     follows, after_halves = carries_on(dt, state.held, state.winch_exit, state.past)
     if not follows and kind == BDF2:
@@ -368,7 +368,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         elif status == HIT:
             continue
         elif not is_soft(kind, A):  # halves by the next method
-            turn = turn + 1 if status == GAINED else LAST
+            turn = turn + 1 if status == GAINED and not among_obstacles else LAST
             one = scratch.halves[turn]
             level, kind, A, b, c = 1, DIRK, one.A, one.b, one.c
             state.past[0] = 0.0 if is_soft(kind, A) else 0.5 * dt
