@@ -22,7 +22,6 @@ from ropewalk.laws.pairs.distance import (
     product,
     relative_way,
 )
-from ropewalk.laws.pairs.easing import ease, slow
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.offsets import lead_offsets
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
@@ -49,7 +48,6 @@ from ropewalk.laws.pairs.table import (
     ROUNDS,
     SECOND,
     SEEN,
-    SETTLES,
     SPRING,
     STIFF,
     WIDTH,
@@ -191,13 +189,11 @@ def lead(x, v, dt, y, table, memory, row, tied):
     """Give a contact points and normal as they will be after another step; tell whether that could be.
 
     One that slips round a bend turns as it goes. With the plane of where it was it would lag behind, and hold
-    as much more as it has turned. One without friction that goes slowly has those of now, see `easing`.
+    as much more as it has turned.
     """
     i, j = memory.pair[row, 0], memory.pair[row, 1]
+    run_on(x, v, dt, memory, row, y)
     size = table.radius[i] + table.radius[j]
-    smooth = friction_of(table, i, j) == 0.0 and memory.tally[SETTLES] == 0
-    ahead = dt * (1.0 - slow(v, memory, row, size)) if smooth else dt
-    run_on(x, v, ahead, memory, row, y)
     s, t, distance = nearest(x, y, 1.0, i, j)
     before = depth_at(x, memory, row, i, j, size)
     if not (0.0 < distance < REACH * size and owns(x, y, 1.0, table, memory, tied, i, j, s, t)):
@@ -205,9 +201,7 @@ def lead(x, v, dt, y, table, memory, row, tied):
     n, along = normal_at(x, y, 1.0, memory, row, s, t), 0.0
     for k in range(3):
         along += n[k] * memory.grip[row, NORMAL + k]
-    if 1.0 - along < TURNED and not smooth:
-        return False
-    if not fits(x, y, 1.0, memory, row, s, t, size, before):
+    if 1.0 - along < TURNED or not fits(x, y, 1.0, memory, row, s, t, size, before):
         return False
     freeze(x, y, 1.0, table, memory, row, s, t)
     begin_contact(x, table, memory, row, before)
@@ -354,7 +348,6 @@ def remember_pairs(x, v, dt, table, memory, tied):
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
         refresh(x, v, dt, place, table, memory, row, tied)
-        ease(v, table, memory, row)
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)

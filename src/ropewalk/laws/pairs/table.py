@@ -24,7 +24,7 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
 # this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
 # MORE in the step that has led here [m], and how fast it closed as the step began, where BRAKE goes with that
-# within the step, else 0 [m/s], and the spring of one without friction [N/m], see `easing`.
+# within the step, else 0 [m/s].
 (
     NORMAL,
     OWN,
@@ -42,7 +42,6 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     LEFT,
     WAS,
     CLOSES,
-    EASE,
 ) = (
     0,
     3,
@@ -60,10 +59,9 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     24,
     25,
     26,
-    27,
 )
 NEW = -1.0  # in BRAKE: not known yet
-WIDTH = 28
+WIDTH = 27
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED, SETTLES = range(10)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
@@ -121,12 +119,6 @@ class Memory(NamedTuple):
 def friction_of(table, i, j):
     """Return the coefficient of friction of two segments [1]."""
     return table.friction[table.rope[i], table.rope[j]]
-
-
-@small
-def rubs_by(table, grip, row, i, j):
-    """Return the largest part of what presses that what holds across the normal can be [1]."""
-    return 1.0 if grip[row, EASE] > 0.0 else friction_of(table, i, j)
 
 
 @small
