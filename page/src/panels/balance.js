@@ -53,17 +53,15 @@ export class Balance {
   }
 }
 
-/** @param {number} error [J] @param {number} share */
-export const balanceText = (error, share) =>
-  `energy off by up to ${quantity(error, "J")}, ${figures(100 * share)} % of what has changed`;
+/** @param {number} share @param {string} of a copy, or none */
+export const balanceText = (share, of) =>
+  `energy${of && ` of ${of}`} off by up to ${figures(100 * share)} %`;
 
 export class BalanceNote {
   /** @param {Session} session */
   constructor(session) {
     this.session = session;
     this.host = h("div", { className: "numbers balance", id: "balance", hidden: true });
-    this.host.title =
-      "What no law accounts for, the error of steps: forces and places are as doubtful. Take a shorter step";
     /** @type {Balance[]} */ this.balances = [];
     this.written = -Infinity;
     session.on("layout", () => this.begin());
@@ -89,15 +87,12 @@ export class BalanceNote {
     });
     if (performance.now() - this.written < REFRESH) return;
     this.written = performance.now();
-    const many = layout.variants.length > 1;
-    const text = this.balances
-      .map(({ error, share }, v) =>
-        share > TOLD
-          ? `${many ? `${layout.variants[v].label}: ` : ""}${balanceText(error, share)}`
-          : "",
-      )
-      .filter(Boolean)
-      .join("\n");
+    const worst = this.balances.reduce((a, b) => (b.share > a.share ? b : a));
+    const { label } = layout.variants[this.balances.indexOf(worst)];
+    const text = worst.share > TOLD ? balanceText(worst.share, parts.length > 1 ? label : "") : "";
+    this.host.title =
+      `${quantity(worst.error, "J")}, that part of what has changed most, is in no law's work: the error of ` +
+      "steps. Forces and places are as doubtful. Take a shorter step.";
     this.host.hidden = !text;
     if (this.host.textContent !== text) this.host.textContent = text;
   }
