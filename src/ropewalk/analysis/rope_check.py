@@ -17,8 +17,8 @@ from ropewalk.record.end_weight import MORE
 from ropewalk.record.margins import breaking_load, margin_words
 from ropewalk.scene import Rope
 from ropewalk.scene.from_library import origin_words
-from ropewalk.scene.guess import doubt_of, worst_of
-from ropewalk.scene.knotted import knot_doubt
+from ropewalk.scene.guess import doubt_of
+from ropewalk.scene.knotted import both_doubt, knot_doubt, least_worst
 from ropewalk.scene.rope import mass_words
 from ropewalk.statics import Statics
 from ropewalk.words.counts import counted
@@ -64,8 +64,10 @@ class RopeCheck:
     utilisation: float | None = None
     rests: bool = True  # whether it is at rest in that shape, or near to it
     parts: bool = False  # whether it parts at its breaking load
-    doubt: str = ""  # what guesses make of the utilisation
-    worst: float | None = None  # utilisation with the least of a guessed breaking load [1]
+    doubt: str = ""  # what guesses and knots make of the utilisation
+    worst: float | None = (
+        None  # utilisation with the least that a knot leaves of the least of a guess [1]
+    )
     softer: str = ""  # why the rope itself stretches more at rest
     largest_push: float = 0.0  # at rest, of a segment that is pressed [N]; 0 where none is
     largest_anchor_force: float | None = (
@@ -176,8 +178,13 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         parts=rope.strength < math.inf,
         doubt=""
         if use is None
-        else "; ".join(filter(None, (doubt_of(rope.made_of, use), knot_doubt(rope, use)))),
-        worst=None if use is None else worst_of(rope.made_of, use),
+        else "; ".join(
+            filter(
+                None,
+                (doubt_of(rope.made_of, use), knot_doubt(rope, use), both_doubt(rope, use)),
+            )
+        ),
+        worst=None if use is None else least_worst(rope, use),
         largest_push=largest_push(tension, over),
         largest_anchor_force=ends.force
         if ends.by_weight and pull_told(ends.force, left) > 0.0

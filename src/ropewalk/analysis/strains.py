@@ -172,7 +172,7 @@ def pressed_at_start(model: Model, statics: Statics, ropes: tuple[RopeCheck, ...
 
 
 def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
-    """Return warnings of ropes that part at rest, or nearly; of guessed breaking loads the least counts."""
+    """Return warnings of ropes that part at rest, or nearly, by the least of guesses and knots."""
     when = "as it starts" if scene.run.start == "at-rest" else "by the time it is at rest"
     found = []
     for rope in ropes:

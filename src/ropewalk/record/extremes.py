@@ -15,7 +15,7 @@ from ropewalk.record.drums import rope_place
 from ropewalk.record.facts import AT_REST
 from ropewalk.record.margins import Margin, breaking_loads, guessed_worst, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
-from ropewalk.scene.knotted import knotted_worst
+from ropewalk.scene.knotted import knotted_worst, least_worst
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -25,6 +25,7 @@ _VALUES = 2_000_000  # numbers of one quantity looked at together
 UTILISATION = "greatest utilisation"  # of the breaking load [1]
 GUESSED = "utilisation nearest with the least of guesses"  # of the breaking load as given [1]
 KNOTTED = "utilisation nearest with the least of knots"  # of the breaking load without the knot [1]
+DOUBTED = "utilisation nearest with the least of both"  # as KNOTTED, of the load as given [1]
 LEAST = ("least tension", "lowest point")
 _SIGNS = np.array([-1.0 if name in LEAST else 1.0 for name in EXTREMES])
 _COLUMNS = np.arange(len(EXTREMES))
@@ -68,7 +69,7 @@ def extremes(result: Result) -> dict[str, Extreme]:
     """Return the extremes before a break by their names in `core.peaks.EXTREMES`.
 
     Of every step where the run has kept them, else of the recorded frames. Units: N, N, 1, m/s, m, m, N, N m.
-    Besides UTILISATION, GUESSED and KNOTTED, where a breaking load is known.
+    Besides UTILISATION, GUESSED, KNOTTED and DOUBTED, where a breaking load is known.
     """
     found = _of_steps(result) if result.has_extremes else _of_frames(result)
     return found | _utilisation(result, found["greatest tension"])
@@ -113,32 +114,34 @@ def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
     """Return the greatest tension over breaking load; `pull` is the greatest tension, often the same.
 
     At rest what the anchor beside it bears counts, as in a check. And of the ropes that come nearest with
-    the least of guessed breaking loads, and with the least that knots leave, over their own as given.
+    the least of guessed breaking loads, with the least that knots leave, and with both, over their own as
+    given.
     """
     loads = breaking_loads(result.scene, result.layout)
     if loads is None:
         return {}
     use = _greatest_share(result, loads, pull)
-    found = {UTILISATION: use}
-    for name, worst in ((GUESSED, guessed_worst), (KNOTTED, knotted_worst)):
+    found, seen = {UTILISATION: use}, [(loads, use)]
+    worsts = {GUESSED: guessed_worst, KNOTTED: knotted_worst, DOUBTED: least_worst}
+    for name, worst in worsts.items():
         least = breaking_loads(result.scene, result.layout, worst=worst)
-        if least is None or np.array_equal(loads, least):
-            found[name] = use
-            continue
-        most = _greatest_share(result, least, pull)
-        as_given = float(least[most.place] / loads[most.place])
-        found[name] = most._replace(value=most.value * as_given)
+        same = [one for other, one in seen if least is None or np.array_equal(other, least)]
+        if least is not None and not same:
+            most = _greatest_share(result, least, pull)
+            as_given = float(least[most.place] / loads[most.place])
+            same.append(most._replace(value=most.value * as_given))
+            seen.append((least, same[0]))
+        found[name] = same[0]
     return found
 
 
 def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
     """Return how near a run comes to breaking by its extremes; None where that is not known."""
-    near = [found[name] for name in (UTILISATION, GUESSED, KNOTTED) if name in found]
+    near = [found[name] for name in (UTILISATION, GUESSED, KNOTTED, DOUBTED) if name in found]
     if not near or math.isnan(near[0].value):
         return None
-    use, guess, knot = near
-    name, guessed, knotted = (result.layout.rope_of(one.place)[0] for one in near)
-    return Margin(name, use.value, guessed, guess.value, knotted, knot.value)
+    use, guess, knot, both = ((result.layout.rope_of(one.place)[0], one.value) for one in near)
+    return Margin(*use, *guess, *knot, *both)
 
 
 def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.scene.guess import COMPUTE, doubt_of, guesses_of, load_doubt, worst_of
-from ropewalk.scene.knotted import knot_doubt, knotted_worst
+from ropewalk.scene.knotted import both_doubt, knot_doubt, knotted_worst, least_worst
 from ropewalk.words.safe_side import percent_up, safety_factor
 
 if TYPE_CHECKING:
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ropewalk.scene import Rope, Scene
 
 _LEAST = "largest utilisation with the least of a guessed breaking load"
+_OF_BOTH = f"{_LEAST}, and of what its knot leaves"
 
 
 def breaking_loads(
@@ -52,7 +53,7 @@ def breaking_load(rope: Any) -> float | None:
 
 
 class Margin(NamedTuple):
-    """The greatest utilisation, and the greatest with the least of guessed breaking loads, and of knots."""
+    """The greatest utilisation, and that with the least of guessed breaking loads, of knots, and of both."""
 
     name: str  # of the rope that comes nearest
     utilisation: float  # [1]
@@ -60,13 +61,17 @@ class Margin(NamedTuple):
     at_most: float  # its utilisation, with its own breaking load as it was guessed [1]
     knotted: str  # the rope that comes nearest with the least that knots leave
     untied: float  # its utilisation, of its breaking load without the knot [1]
+    doubted: (
+        str  # the rope that comes nearest with the least that knots leave of the least of guesses
+    )
+    as_given: float  # its utilisation, of its breaking load without the knot, as it was guessed [1]
 
 
 def margin_of(scene: Scene, utilisation: dict[str, float]) -> Margin:
     """Return the margin of ropes whose greatest utilisations [1] these are, by name; one at least."""
     name = max(utilisation, key=utilisation.__getitem__)
     found: list[Any] = [name, utilisation[name]]
-    for worst in (guessed_worst, knotted_worst):
+    for worst in (guessed_worst, knotted_worst, least_worst):
         most = {one: worst(scene.rope_named(one), use) for one, use in utilisation.items()}
         nearest = max(most, key=lambda one: (most[one], one == name))
         found += [nearest, utilisation[nearest]]
@@ -83,7 +88,7 @@ def doubt_words(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
 
     `then`: what is to be done about a stiffness, or was done.
     """
-    told = (guess_doubt(scene, margin, then), knot_words(scene, margin))
+    told = (guess_doubt(scene, margin, then), knot_words(scene, margin), both_words(scene, margin))
     return "; ".join(text for text in told if text)
 
 
@@ -93,6 +98,17 @@ def knot_words(scene: Scene, margin: Margin) -> str:
     if knot and margin.knotted != margin.name:
         return f"rope {margin.knotted!r} may come nearer: its breaking load is told {knot}"
     return knot
+
+
+def both_words(scene: Scene, margin: Margin) -> str:
+    """As `doubt_words`, of a rope that has a knot and a guessed breaking load, by both together.
+
+    A rope that is the nearest by both, and has one of them alone, is the nearest by that one.
+    """
+    both = both_doubt(scene.rope_named(margin.doubted), margin.as_given)
+    if both and margin.doubted != margin.name:
+        return f"rope {margin.doubted!r} may come nearer: {both}"
+    return both
 
 
 def guess_doubt(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
@@ -110,8 +126,8 @@ def guess_doubt(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
 def margin_rows(margin: Margin, place: str, scene: Scene) -> dict[str, Any]:
     """Return the rows of a table: the largest utilisation [1] with its place, and the safety factor [1].
 
-    With what guesses make of it, in words and, of a breaking load, as numbers of the rope that comes nearest
-    with the least of it.
+    With what guesses and knots make of it, in words and, of a guessed breaking load, as numbers of the rope
+    that comes nearest with the least of it, and of the one that does with its knot besides.
     """
     made_of = scene.rope_named(margin.guessed).made_of
     worst, doubt = worst_of(made_of, margin.at_most), doubt_words(scene, margin)
@@ -121,6 +137,10 @@ def margin_rows(margin: Margin, place: str, scene: Scene) -> dict[str, Any]:
     if "breaking_load" in guesses_of(made_of):
         about[f"{_LEAST} [%]"] = 100.0 * worst
         about[f"{_LEAST}, of"] = f"rope {margin.guessed!r}"
+    doubted = scene.rope_named(margin.doubted)
+    if both_doubt(doubted, margin.as_given):
+        about[f"{_OF_BOTH} [%]"] = 100.0 * least_worst(doubted, margin.as_given)
+        about[f"{_OF_BOTH}, of"] = f"rope {margin.doubted!r}"
     return {
         "largest utilisation of the breaking load [%]": 100.0 * margin.utilisation,
         "largest utilisation of the breaking load at": place,

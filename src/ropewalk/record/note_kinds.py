@@ -31,7 +31,7 @@ from ropewalk.record.happenings import STOPPED
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.limiter_note import limiter_note
-from ropewalk.record.margins import guess_doubt, knot_words
+from ropewalk.record.margins import both_words, guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
@@ -165,9 +165,10 @@ def _kinds(result: Result) -> Iterator[str]:
     if near is not None:
         if near.utilisation > 1.0 and "parted" not in events:
             yield "above breaking load"
-        if guess_doubt(result.scene, near):
+        both = both_words(result.scene, near)
+        if both or guess_doubt(result.scene, near):
             yield "guess"
-        if knot_words(result.scene, near):
+        if both or knot_words(result.scene, near):
             yield "knot"
     if not at_rest:
         if not _keeps_energy(result) and _of_energy(result):

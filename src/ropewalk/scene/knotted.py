@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from ropewalk.scene.guess import guesses_of, worst_of
 from ropewalk.scene.knot_shape import Knot
 from ropewalk.words.safe_side import percent_up, safety_factor
 
@@ -25,6 +26,21 @@ def is_tied(rope: Rope) -> bool:
 def knotted_worst(rope: Rope, utilisation: float) -> float:
     """Return the utilisation [1] with the least that a knot leaves; as it is where there is none."""
     return utilisation / LEFT[0] if is_tied(rope) else utilisation
+
+
+def least_worst(rope: Rope, utilisation: float) -> float:
+    """Return the utilisation [1] with the least that a knot leaves of a guessed breaking load's least."""
+    return knotted_worst(rope, worst_of(rope.made_of, utilisation))
+
+
+def both_doubt(rope: Rope, utilisation: float) -> str:
+    """Return what a knot and a guess make of a utilisation [1] together; "" unless a rope has both."""
+    guessed = "breaking_load" in guesses_of(rope.made_of)
+    if not (guessed and is_tied(rope)) or math.isnan(utilisation):
+        return ""
+    share = least_worst(rope, utilisation)
+    text = f"with the least of guess and knot together {percent_up(100.0 * share, 3)}"
+    return text + (f", safety factor {safety_factor(share)}" if share > 0.0 else "")
 
 
 def knot_doubt(rope: Rope, utilisation: float) -> str:

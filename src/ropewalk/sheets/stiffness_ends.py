@@ -12,6 +12,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record.extremes import extremes, margin
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.guess import STIFF, guesses_of, worst_of
+from ropewalk.scene.knotted import both_doubt, least_worst
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.trust import PARTED, Variant, rest_numbers, row_of, run_numbers, tried
 from ropewalk.words.prefixes import prefixed
@@ -27,6 +28,7 @@ _NAMED = 6  # that are told one by one
 _TOLD = ("largest tension", "largest force on an anchor")
 _USED = "largest utilisation"
 _WORST = "with the least of a guessed breaking load"
+_BOTH = "with that and the least that a knot leaves"
 
 
 class Ends(NamedTuple):
@@ -128,22 +130,24 @@ def _rest_numbers(scene: Scene) -> dict[str, float]:
 
 
 def _used(result: Result) -> dict[str, float]:
-    """Return the largest utilisation [1], and that with the least of guessed breaking loads.
+    """Return the largest utilisation [1], that with the least of guessed breaking loads, and of knots too.
 
-    Both NaN where no breaking load is known, and alike where none is a guess.
+    NaN where no breaking load is known, alike where none is a guess; the last NaN where no rope has both.
     """
     near = margin(result, extremes(result))
     if near is None:
-        return {_USED: math.nan, _WORST: math.nan}
+        return dict.fromkeys((_USED, _WORST, _BOTH), math.nan)
     worst = worst_of(result.scene.rope_named(near.guessed).made_of, near.at_most)
-    return {_USED: near.utilisation, _WORST: worst}
+    doubted = result.scene.rope_named(near.doubted)
+    both = least_worst(doubted, near.as_given) if both_doubt(doubted, near.as_given) else math.nan
+    return {_USED: near.utilisation, _WORST: worst, _BOTH: both}
 
 
 def _rows(title: str, used: dict[str, float], variants: list[Variant]) -> list[tuple[str, ...]]:
     """Return the rows of utilisations: as breaking loads are given and, of guesses, with the least."""
     found = []
-    for name, words in ((_USED, _USED), (_WORST, f"{_USED} {_WORST}")):
-        if math.isnan(used[name]) or (name == _WORST and used[_WORST] == used[_USED]):
+    for name, words in ((_USED, _USED), (_WORST, f"{_USED} {_WORST}"), (_BOTH, f"{_USED} {_BOTH}")):
+        if math.isnan(used[name]) or (name != _USED and used[name] == used[_USED]):
             continue
         each = (used[name], *(v.numbers.get(name, math.nan) for v in variants))
         cells = ("" if math.isnan(one) else _percent(one) for one in each)
@@ -179,14 +183,16 @@ def _spans(title: str, base: dict[str, float], variants: list[Variant]) -> list[
             ends = outwards(min(values), max(values))
             low, high = (prefixed(value, unit, 4) for value in ends)
             found.append(f"{name} {low}" + (f" to {high}" if high != low else ""))
-    used, worst = (
+    used, worst, both = (
         max((one[name] for one in (base, *ran) if not math.isnan(one[name])), default=math.nan)
-        for name in (_USED, _WORST)
+        for name in (_USED, _WORST, _BOTH)
     )
     if ran and not math.isnan(used):
         found.append(f"{_USED} up to {percent_up(100.0 * used, 3)}{_factor(used)}")
     if ran and worst > used:
         found.append(f"{_WORST} up to {percent_up(100.0 * worst, 3)}{_factor(worst)}")
+    if ran and both > used:
+        found.append(f"{_BOTH} up to {percent_up(100.0 * both, 3)}{_factor(both)}")
     found += [f"of the {v.title} nothing, for it FAILED" for v in variants if v.why_not]
     found += [
         f"with the {v.title} a rope PARTS" for v in variants if v.numbers.get(PARTED, 0.0) > 0.0
