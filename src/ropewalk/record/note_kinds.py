@@ -33,7 +33,7 @@ from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import both_words, guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
-from ropewalk.record.pressed_rows import pressed_rows
+from ropewalk.record.pressed_rows import pressed_kind
 from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
 from ropewalk.record.too_low import anchor_too_low, tension_too_low
 from ropewalk.record.turnover import (
@@ -57,6 +57,7 @@ KINDS = {
     "peak may be wrong": "may have a peak that is wrong by a fifth and more: a jerk in too long steps",
     "peak may be too low": "may have a peak that is too low: the steps lost energy until then",
     "landing not shown": "have an end that lands and gives an obstacle or an anchor more than is shown",
+    "force between frames": "have a force on an obstacle that comes within a frame: it may be far more",
     "hard stop": "have a peak of what nothing that gives has stopped: momentum over a step",
     "energy not kept": "have an energy that their steps have not kept: do not trust forces and places",
     "limiter gives energy": "have a limiter that puts energy in: do not trust forces and velocities",
@@ -72,7 +73,6 @@ KINDS = {
     "empty drum": "had a winch stop with its drum empty",
 }  # fmt: skip
 HARD = "hard stops"
-ABOUT_PRESSED, TOO_LOW = "about the largest force on an obstacle", "too low: it was"
 _ELASTIC = ENERGIES.index("elastic")  # those from it on are the same whoever goes along
 BETWEEN = "; "  # kinds of one run
 #: Kind and text of a note.
@@ -138,9 +138,9 @@ def notes_at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Note]:
 def kinds(result: Result) -> tuple[str, ...]:
     """Return the kinds of all that a sound run's table warns of, but for what takes long to look for.
 
-    That is what is said of contacts that brake early, of wraps, of slides and of hits on obstacles between
-    frames: `reach_note`, `coarse_note`, `moving_rows` and `pressed_rows` take up to half as long as the run
-    itself, or more. Where an end lands `pressed_rows` is asked all the same.
+    That is what is said of contacts that brake early, of wraps and of slides: `reach_note`, `coarse_note` and
+    `moving_rows` take up to half as long as the run itself, or more. Of forces on several obstacles few
+    frames are looked at, unless an end lands: `pressed_kind`.
     """
     there = set(_kinds(result))
     return tuple(kind for kind in KINDS if kind in there)
@@ -155,8 +155,7 @@ def _kinds(result: Result) -> Iterator[str]:
     else:
         landings = landings_of(result)
         notes = notes_of_extremes(result, found, landings)
-        if _presses_more(result, found["greatest tension"], landings):
-            yield "landing not shown"
+        yield from kinds_in(pressed_kind(result, found["greatest tension"], landings))
     for kind, _ in notes.values():
         yield from kinds_in(kind)
     near = margin(result, found) if UTILISATION in found else None
@@ -177,13 +176,6 @@ def _kinds(result: Result) -> Iterator[str]:
             yield "limiter gives energy"
         if deep_note(result):
             yield "inside obstacle"
-
-
-def _presses_more(result: Result, tension: Extreme, landings: Sequence[Landing]) -> bool:
-    """Tell whether a table says that an end that landed gave an obstacle more than is shown."""
-    if not landings:
-        return False
-    return str(pressed_rows(result, tension, landings).get(ABOUT_PRESSED, "")).startswith(TOO_LOW)
 
 
 def less_rounding(result: Result, found: dict[str, Extreme]) -> dict[str, Extreme]:

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
 from ropewalk.record.balances import SLACK
 from ropewalk.record.body_loads import of_nodes
 from ropewalk.record.extremes import Extreme
@@ -63,37 +62,39 @@ def anchor_too_low(
 
 
 def obstacle_too_low(
-    result: Result, loads: Floats, frame: int, tension: Extreme, landings: Sequence[Landing]
-) -> str:
-    """Return why the largest of the forces on an obstacle in frames, (frames,) [N], may be too low; or "".
+    result: Result,
+    frame: int,
+    forces: tuple[float, float],
+    tension: Extreme,
+    landings: Sequence[Landing],
+) -> Told:
+    """Return why the largest of the forces on an obstacle in frames may be too low.
 
-    `frame` is the one of the largest.
+    `frame` is the one of the largest, `forces` are those of the frame before and of that one [N].
     """
-    most, plan = float(loads[frame]), result.plan
+    (before, most), plan = forces, result.plan
     landing = max(landings, key=lambda one: one.force, default=None)
     if landing is not None and most < _LOWER * landing.force:
-        return landing.words(
-            landing.force, f"{_steps(result)}, or frames between which there are some,"
-        )
+        by = f"{_steps(result)}, or frames between which there are some,"
+        return "landing not shown", landing.words(landing.force, by)
     elastic = [one for one in result.scene.ropes if not one.rigid]
     stiff = max((one.segment_stiffness * one.segment_length for one in elastic), default=0.0)
     if not most > SLACK * stiff:  # nothing presses
-        return ""
-    before = float(loads[frame - 1]) if frame else most
-    if before < JERK * most and (plan.steps_per_frame > 1 or plan.tolerance is not None):
+        return "", ""
+    if frame and before < JERK * most and (plan.steps_per_frame > 1 or plan.tolerance is not None):
         share = percent(100.0 * before / most)
-        return (
+        return "force between frames", (
             f"from {share} of it one frame before: between two frames there may be far more; a higher "
             "frame_rate, up to a frame a step, shows it"
         )
     if not tension.value > 0.0:
-        return ""
+        return "", ""
     name, _ = result.layout.rope_of(tension.place)
     span = result.layout.span(name)
     pressed = np.nan_to_num(result.read(of_nodes(result), frame, frame + 1))
     if not pressed[0, span.first : span.last + 1].any():
-        return ""
-    return _as_there(result, frame, tension)[1]
+        return "", ""
+    return _as_there(result, frame, tension)
 
 
 def _as_there(result: Result, frame: int, tension: Extreme) -> Told:
