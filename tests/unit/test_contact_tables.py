@@ -97,6 +97,26 @@ def test_a_wrap_has_its_angle_and_its_ratio() -> None:
         result.wrap("post")
 
 
+def test_an_end_that_grazes_the_side_is_no_part_of_a_wrap() -> None:
+    """1 kg below an edge that is blown against the wall: the tension after the edge was told as 0 N."""
+    rope = rw.Rope(
+        segments=70,
+        length=0.7,
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=0.01, axial_damping=20.0),
+        shape=Polyline(points=[(-0.2, 0, 0.0055), (0.006, 0, 0.0055), (0.006, 0, -0.6)]),
+        loads=[rw.Load(node=-1, mass=1.0)],
+        forces=[rw.Force(node=-1, force=(-0.3, 0, 0))],
+    )
+    rock = rw.Box(name="rock", center=(-1, 0, -1), half_sizes=(1, 0.2, 1), edge_radius=0.05)
+    result = rw.equilibrium(Scene(ropes=[rope], obstacles=[rock], anchors=[rw.Anchor(node=0)]))
+    table = result.to_pandas("wraps")
+    assert table["tension after [N]"].iloc[-1] == 0.0  # the load itself, against the wall
+    wrap = result.wrap("rock")
+    assert wrap.nodes[0, 1] < 40 < rope.segments
+    assert 1.0 * g < wrap.after[0] == table["tension after [N]"].iloc[0]
+
+
 @pytest.mark.parametrize("every", [2, 3])
 def test_a_wrap_is_whole_whichever_of_its_nodes_are_asked_for(every: int) -> None:
     """Of every second node a bollard's had half its angle, and of every third it was in pieces."""

@@ -27,6 +27,9 @@ RANK = np.array(
 )  # of the modes: what slips for sure shows before what is not known
 
 
+TURNS = 0.01  # of what a rope turns in one stretch on an obstacle; one with less only grazes it [1]
+
+
 class WrapHistory(NamedTuple):
     """What a rope does on an obstacle in the course of a run, one row a frame.
 
@@ -37,7 +40,7 @@ class WrapHistory(NamedTuple):
     """
 
     time: Floats  # (frames,) [s]
-    nodes: Ints  # (frames, 2) first and last node of the rope that touch; 0 and -1, the last first: none
+    nodes: Ints  # (frames, 2) first and last node of those stretches; 0 and -1, the last first: none touches
     angle: Floats  # (frames,) by which the rope turns there towards the obstacle [rad]
     before: Floats  # (frames,) tension of the segment before the first of them [N]
     after: Floats  # (frames,) ... after the last one [N]
@@ -118,7 +121,7 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
     tension = result.tension
     for frame, contacts in each_frame(result, range(count), [o]):
         own = (contacts.node >= span.first) & (contacts.node <= span.last)
-        touching = np.flatnonzero(own & (contacts.obstacle == o))
+        touching = _that_turn(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
         if not touching.size:
             continue
         lies = _lies(span, contacts, touching, tension[frame])
@@ -127,6 +130,16 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
     nodes[broken:] = 0, -1
     angle[broken:] = before[broken:] = after[broken:] = np.nan
     return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
+
+
+def _that_turn(contacts: Contacts, rows: Ints) -> Ints:
+    """Return the rows of the stretches in which a rope turns towards the obstacle; all if it does in none."""
+    parts = stretches(contacts, rows)
+    turns = np.array([contacts.turn[part].sum() for part in parts])
+    most = turns.max(initial=0.0)
+    return np.concatenate(
+        [rows[:0], *(p for p, a in zip(parts, turns, strict=True) if a >= TURNS * most)]
+    )
 
 
 class Lying(NamedTuple):
