@@ -144,6 +144,19 @@ def test_ground_lowers_the_bound_and_is_named() -> None:
     assert set(found.cases) == {"in the air", "pressed to the ground", "sliding on the ground"}
 
 
+def test_a_stable_step_that_contact_asks_for_says_so() -> None:
+    """It was said where a run breaks only; a hard contact took 100 000 steps a second without a word."""
+    made_of = {"kind": "material", "EA": 100.0, "mass_per_length": 0.1}
+    rope = {"segments": 4, "length": 0.4, "diameter": 0.01, "made_of": made_of}
+    ball = {"kind": "sphere", "center": [0, 0, -1], "radius": 0.5, "compliance": 1e-7}
+    run = {"method": "semi-implicit-euler", "duration": 0.1, "time_step": 1e-6}
+    there = Scene.model_validate({"rope": [rope], "obstacle": [ball], "run": run})
+    assert ", pressed to obstacles, margin" in stability(build(there)).verdict
+    alone = stability(build(there.replace(obstacles=[])))
+    assert alone.bound > 10.0 * stability(build(there)).bound
+    assert "pressed" not in alone.verdict
+
+
 def test_a_released_anchor_counts_as_free() -> None:
     def found(release: float | None) -> Stability:
         middle = Anchor(node=2, release_time=release)

@@ -40,6 +40,7 @@ _HARMLESS = 10.0
 _SLIGHT = 1.001  # [1] growth per step that says little on its own
 _RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if roughly
 _SLACK = "where segments go slack"
+_PRESSED = "pressed"  # to obstacles, to ropes or to the ground: what touches asks for the step
 
 
 @dataclass(frozen=True)
@@ -171,7 +172,8 @@ class Stability:
     @property
     def verdict(self) -> str:
         """One sentence."""
-        bound = f"largest stable step of {self.method} {longest_step(self.bound)}"
+        cause = f", {self.case}" if self.case.startswith(_PRESSED) else ""
+        bound = f"largest stable step of {self.method} {longest_step(self.bound)}{cause}"
         if self.tolerance is not None:
             tolerance = f"{1e3 * self.tolerance:.4g} mm"
             return f"stable at any step; {self.method} chooses steps to a tolerance of {tolerance}"
