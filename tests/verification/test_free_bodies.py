@@ -16,6 +16,7 @@ import ropewalk as rw
 from ropewalk.core.arrays import copy
 from ropewalk.laws.wheel_rows import TIE
 from ropewalk.lowering import build
+from ropewalk.methods.recording import CONSERVATIVE
 from ropewalk.scene import (
     Anchor,
     Box,
@@ -205,3 +206,23 @@ def test_the_tangent_is_that_of_differences(friction: float, bearing: float) -> 
 def test_what_cannot_turn_so_is_refused_in_words(spin: dict[str, Any], words: str) -> None:
     with pytest.raises(ValueError, match=words):
         lever(Spin(free=True, inertia=INERTIA, **spin))
+
+
+@pytest.mark.parametrize("mass", [None, 0.5])
+def test_the_energy_rows_of_a_table_add_up(mass: float | None) -> None:
+    """A body's own energy was in none of them."""
+    more = {} if mass is None else {"mass": mass, "center_of_mass": (-0.05, 0, 0)}
+    body = lever(Spin(free=True, inertia=INERTIA, bearing=0.01, **more), friction=0.3)
+    result = rw.simulate(across(body, *IMPLICIT, gravity=g, duration=0.1))
+    table, own = result.table, result.pulley("body")
+    assert table["final kinetic energy at"] == "of the ropes; what turns freely has its own"
+    moves = table["final kinetic energy of what turns freely [J]"]
+    assert moves == own.energy[-1] > 1e-3
+    hung = table.get("final energy of weight of what turns freely [J]", 0.0)
+    assert (hung != 0.0) is (mass is not None)
+    works = (work[-1] for name, work in result.work.items() if name not in CONSERVATIVE)
+    given = sum(works) + own.rope_work[-1] + own.bearing_work[-1]
+    gained = table["final total energy [J]"] - result.energy["total"][0] + moves + hung
+    assert gained == pytest.approx(given + table["final energy error [J]"], abs=1e-6 * moves)
+    still = rw.simulate(across(lever(None), *IMPLICIT, gravity=g, duration=0.01)).table
+    assert not any("turns freely" in str(part) for row in still.items() for part in row)

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 _VALUES = 2_000_000  # numbers of one quantity looked at together
 _TOLD = 4  # slides that a row names
-_RATE = 1  # column of the quantity pulleys
+_RATE, _KINETIC, _WEIGHT = 1, 2, 6  # columns of the quantity pulleys
+APART = "of the ropes; what turns freely has its own"
 SLIDE_COLUMNS = (
     *("time [s]", "slide", "rope", "along"),
     *("place [m]", "speed [m/s]", "load [N]", "speed of the rope's centre of mass [m/s]"),
@@ -47,7 +48,7 @@ class SlideMotion(NamedTuple):
 
 def moving_rows(result: Result) -> dict[str, Any]:
     """Return the rows of pulleys, other obstacles and slides; nothing where there are none."""
-    return _rates(result) | _of_axles(result) | _of_slides(result)
+    return _rates(result) | _of_axles(result) | _of_turning(result) | _of_slides(result)
 
 
 def slide_motion(result: Result, name: str) -> SlideMotion:
@@ -127,6 +128,23 @@ def _rates(result: Result) -> dict[str, Any]:
         "largest rate of a pulley [rad/s]": best["rate"][0],
         "largest rate of a pulley at": best["rate"][1],
     }
+
+
+def _of_turning(result: Result) -> dict[str, Any]:
+    """Return the energy in the end of what turns freely, which is not in that of the ropes."""
+    if not result.layout.pulleys or PULLEYS not in result.source.names:
+        return {}
+    last, what = result.good_frames - 1, "of what turns freely"
+    each = result.read(PULLEYS, last, last + 1)[0]
+    beside = "not in that of the ropes"
+    rows = {
+        f"final kinetic energy {what} [J]": float(each[:, _KINETIC].sum()),
+        f"final kinetic energy {what} at": beside,
+    }
+    if each[:, _WEIGHT].any():
+        rows[f"final energy of weight {what} [J]"] = -float(each[:, _WEIGHT].sum())
+        rows[f"final energy of weight {what} at"] = f"{beside}; 0 at the start"
+    return rows
 
 
 def _of_slides(result: Result) -> dict[str, Any]:

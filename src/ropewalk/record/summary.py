@@ -18,7 +18,7 @@ from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
-from ropewalk.record.moving_rows import moving_rows
+from ropewalk.record.moving_rows import APART, moving_rows
 from ropewalk.record.note_kinds import (
     HARD,
     Note,
@@ -57,6 +57,7 @@ def summary(result: Result) -> dict[str, Any]:
     error, errors = result.energy_error[:good], result.energy_errors[:good]
     share = share_turned(result)
     seconds, broken, landings = result.facts.seconds, _broken(result), landings_of(result)
+    whose = [APART] * bool(result.layout.pulleys) + [AS_THEY_WERE] * bool(broken)
     return {
         "status": result.status,
         "simulated time [s]": float(time[-1]),
@@ -90,11 +91,9 @@ def summary(result: Result) -> dict[str, Any]:
         "final energy error [J]": float(error[-1]),
         "largest balance residual [J]": _largest(result.balance_residual[:good]),
         "final kinetic energy [J]": float(energy["kinetic"][-1]),
-        "final kinetic energy at": AS_THEY_WERE if broken else "",
+        "final kinetic energy at": "; ".join(whose),
         "final total energy [J]": float(energy["total"][-1]),
-        "final total energy at": "; ".join(
-            [ZERO] * any(result.scene.gravity) + [AS_THEY_WERE] * bool(broken)
-        ),
+        "final total energy at": "; ".join([ZERO] * any(result.scene.gravity) + whose),
         "wall time [s]": seconds,
         "simulated time over wall time [1]": float(time[-1]) / seconds if seconds > 0 else math.nan,
     }
