@@ -24,7 +24,7 @@ from ropewalk.live.bodies import Spot, Way, spots, ways_of, with_ways
 from ropewalk.live.commands import Command
 from ropewalk.live.frozen import Frozen, scene_now
 from ropewalk.live.gaps import Parted
-from ropewalk.live.recorded_touch import BOOKS_GO_ON
+from ropewalk.live.recorded_touch import BOOKS_GO_ON, GIVEN
 from ropewalk.live.session import Session
 from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
@@ -149,9 +149,10 @@ class Keeper:
             return
         layout, plan = self.session.main.simulation.layout, self.session.main.simulation.plan
         block, here = self.session.main.frame(), spots(self.session.main.simulation)
+        about = _about(plan, self.session.main.edited)
         self._begins(layout)
         self._taken = {name: one.taken for name, one in here.items()}
-        self._put(lambda: self._next_part(frozen.thaw(), layout, plan, block, here))
+        self._put(lambda: self._next_part(frozen.thaw(), layout, about, block, here))
 
     def _begins(self, layout: Layout) -> None:
         self._layout, self._due = layout, False
@@ -169,15 +170,15 @@ class Keeper:
         self._taken = {name: one.taken for name, one in here.items()}
         self._parted = self.session.main.parted
         frame = self.session.main.frame()
-        self._next_part(scene, simulation.layout, simulation.plan, frame, here)
+        about = _about(simulation.plan, self.session.main.edited)
+        self._next_part(scene, simulation.layout, about, frame, here)
 
     def _next_part(
-        self, scene: Scene, layout: Layout, plan: Plan, block: Block, here: dict[str, Spot]
+        self, scene: Scene, layout: Layout, facts: Facts, block: Block, here: dict[str, Spot]
     ) -> None:
         self._end_part()
         self._parts += 1
         folder = self.folder if self._parts == 1 else self.folder / f"part-{self._parts}"
-        facts = Facts(plan, True, False, RUNNING, provenance=_about(plan))
         held, ways = self._held if self._parts == 1 else None, ways_of(here)
         with new_folder(folder, overwrite=False, held=held) as made:
             writer = begin(made, with_ways(scene, ways), layout, facts, CHUNK_FRAMES)
@@ -296,5 +297,7 @@ def parts(folder: Path) -> list[Path]:
     return found
 
 
-def _about(plan: Plan) -> dict[str, Any]:
-    return {**provenance(plan, True, False), "live": True, BOOKS_GO_ON: True}
+def _about(plan: Plan, given: float) -> Facts:
+    """Return what is known of a part that begins; `given`: what changes have put in until then [J]."""
+    about = {**provenance(plan, True, False), "live": True, BOOKS_GO_ON: True, GIVEN: given}
+    return Facts(plan, True, False, RUNNING, provenance=about)

@@ -9,8 +9,8 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import Picture, Shape, turns_of
 from ropewalk.live.losses import losses_and_gifts
+from ropewalk.live.recorded_touch import GIVEN, RecordedTouch
 from ropewalk.live.recorded_touch import NAMES as TOUCHED
-from ropewalk.live.recorded_touch import RecordedTouch
 from ropewalk.live.seen import Seen
 from ropewalk.lowering.masses import line, masses
 from ropewalk.record.beyond import until_torn
@@ -37,6 +37,7 @@ class Recorded:
         self.first_energy = self._error(0)
         #: What a session has to add to the run's own energy of gravity, and to its energy error [J].
         self.carried_gravity, self.carried_error = 0.0, 0.0
+        self._given = 0.0  # what changes have put in until it began [J]
         self._up = np.array(result.scene.up)
         lets_go = {one.name: one.release_time for one in result.scene.anchors}
         #: When each anchor lets go [s], None: never.
@@ -73,7 +74,7 @@ class Recorded:
         made = Recorded(self.result)
         made.past = self.past
         made.first_energy, made._first_gravity = self.first_energy, self._first_gravity
-        made.touched.since = self.touched.since
+        made.touched.since, made._given = self.touched.since, self._given
         return made
 
     def follow(self, before: Recorded) -> None:
@@ -85,8 +86,16 @@ class Recorded:
             shift = self._gravity_zero() - before._gravity_zero()
         self._first_gravity = before._first_gravity + shift
         self.carried_gravity = before.carried_gravity - shift
-        self.carried_error = before._error(frame)
-        self.first_energy += self._error(0) - self.carried_error
+        given, error = self.result.facts.provenance.get(GIVEN), before._error(frame)
+        jump = self.first_energy - before.first_energy - error
+        if given is None:  # in folders of older versions
+            self._given, change = before._given, jump
+        elif self.result.scene.winches:
+            self._given, change = before._given + jump - shift, jump
+        else:
+            self._given, change = float(given), float(given) - before._given + shift
+        self.carried_error = self.first_energy - (before.first_energy + change)
+        self.first_energy = before.first_energy + change
         self.touched.follow(before.touched, frame)
 
     def _energy(self, frame: int) -> tuple[Floats, Floats]:
@@ -147,7 +156,7 @@ class Recorded:
             "gravity": float(energy[1]) - self._first_gravity,
             "elastic": float(energy[2:].sum()),
             "lost": -losses,
-            "put_in": gifts,
+            "put_in": gifts + self._given,
             "energy_error": total - self.first_energy - losses - gifts,
             "tension_max": float(seen.greatest_tension.max(initial=0.0)),
             "strain_max": self._strain(data.get("elastic_tension", data["tension"])[row]),

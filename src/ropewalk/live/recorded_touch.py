@@ -33,6 +33,8 @@ _EVERY, _PER_NODE = 0.1, 1e-3
 _RUB = ENTRIES.index("friction")
 #: In the provenance of a session's part: its books go on from those of the part before.
 BOOKS_GO_ON = "contact_books_go_on"
+#: There, too: what the session's changes have put in until the part begins [J].
+GIVEN = "put_in_by_changes"
 
 
 class Works(NamedTuple):
