@@ -30,7 +30,7 @@ ROWS = {
     "largest force on an obstacle": ("landing not shown", "force between frames"),
     "hard stops": ("hard stop",),
     "largest utilisation of the breaking load": ("guess",),
-    "stretch limiter": ("limiter gives energy",),
+    "stretch limiter": ("limiter gives energy", "rest beyond limiter"),
     "obstacles": ("inside obstacle",),
 }
 

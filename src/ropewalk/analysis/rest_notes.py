@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
+from ropewalk.record.limiter_at_rest import WITHOUT, stretches_beyond
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.statics import Statics
 from ropewalk.statics.refusal import weight_left
 from ropewalk.statics.wraps import MANY, coarse_words
 from ropewalk.words.counts import counted
 
-_ROUNDING = 1e-9
 _NAMED = 3  # ropes that one sentence names
 
 
@@ -50,20 +51,25 @@ def _lying(model: Model, statics: Statics) -> set[str]:
     return {name for group in groups if group & on for name in group}
 
 
-def limiter_warnings(model: Model, statics: Statics) -> list[str]:
-    """Return a sentence for weights that the springs carry only far beyond the limiter's length."""
+def beyond_limiter(model: Model, statics: Statics) -> Floats:
+    """Return how far segments stretch at rest [1] that a stretch limiter would not let: a part of all."""
     limiter = model.system.limiter
-    bounded = (model.state.stiffness > 0.0) & np.isfinite(model.state.stiffness)
+    if not limiter.active:
+        return np.zeros(0)
+    bounded = np.isfinite(model.state.stiffness) & (model.state.stiffness > 0.0)
     stretch = statics.stretch[bounded & (model.state.rest_length > 0.0)]
-    if not limiter.active or not stretch.size:
-        return []
-    over = int((stretch > limiter.longest * (1.0 + _ROUNDING)).sum())
-    if over == 0 or limiter.longest <= 1.0:
+    return stretch[stretches_beyond(limiter.longest, stretch)]
+
+
+def limiter_warnings(model: Model, statics: Statics) -> list[str]:
+    """Return a sentence for weights that the springs carry only beyond the limiter's length."""
+    over = beyond_limiter(model, statics)
+    if not over.size:
         return []
     return [
-        f"the stretch limiter (at most {limiter.longest:g}) acts even at rest, on "
-        f"{counted(over, 'segment')}: the springs alone would stretch to {stretch.max():.3g}; the "
-        "limiter, not the spring constant, carries the rope"
+        f"the stretch limiter (at most {model.system.limiter.longest:g}) acts even at rest, on "
+        f"{counted(over.size, 'segment')}: the springs alone would stretch to {over.max():.3g}; the "
+        f"limiter, not the spring constant, carries the rope. {WITHOUT[:1].upper()}{WITHOUT[1:]}"
     ]
 
 

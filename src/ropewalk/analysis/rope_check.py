@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.analysis.rest_notes import may_say_nothing
+from ropewalk.analysis.rest_notes import beyond_limiter, may_say_nothing
 from ropewalk.analysis.strains import softer_words, strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
@@ -37,6 +37,7 @@ _OF_REST = (  # None where it is not at rest
     "anchor_bears",
     "parts_at_rest",
 )
+_OF_MARGIN = ("utilisation", "worst")  # None where a limiter would act
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -77,6 +78,7 @@ class RopeCheck:
     parts_at_rest: bool = (
         False  # whether a segment does; an anchor may bear more than that beside it
     )
+    limited: bool = False  # whether it rests beyond a stretch limiter, which rest is without
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -95,7 +97,9 @@ class RopeCheck:
         text += self._anchor_line()
         if self.largest_push > 0.0:
             text.append(f"  at rest: largest push {prefixed(self.largest_push, 'N', 5)}")
-        if self.utilisation is not None:
+        if self.utilisation is not None and self.limited and self.utilisation <= 1.0:
+            text.append("  at rest: how near to breaking is not known, for the stretch limiter")
+        elif self.utilisation is not None:
             beyond = "it would have parted"
             if self.parts:
                 beyond = "it parts" if self.parts_at_rest else "with more segments it parts"
@@ -117,8 +121,12 @@ class RopeCheck:
         return [f"  at rest: its anchor bears {prefixed(more, 'N', 5)}, {why}"]
 
     def as_dict(self) -> dict[str, object]:
-        """Plain values; None for all that is said of rest where it is not at rest."""
-        return vars(self) | ({} if self.rests else dict.fromkeys(_OF_REST))
+        """Plain values; None for all that is said of rest where it is not at rest.
+
+        And for how near to breaking it comes where a limiter would carry it.
+        """
+        unknown = _OF_REST if not self.rests else _OF_MARGIN if self.limited else ()
+        return vars(self) | dict.fromkeys(unknown)
 
     def waves(self) -> str:
         """The speeds of its waves."""
@@ -191,6 +199,7 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         else None,
         anchor_bears=bears,
         parts_at_rest=rope.strength < math.inf and load is not None and largest > load,
+        limited=beyond_limiter(model, statics).size > 0,
     )
 
 

@@ -13,6 +13,7 @@ from ropewalk.core.peaks import EXTREMES
 from ropewalk.record.borne import Borne, borne_at
 from ropewalk.record.drums import rope_place
 from ropewalk.record.facts import AT_REST
+from ropewalk.record.limiter_at_rest import rests_beyond
 from ropewalk.record.margins import Margin, breaking_loads, guessed_worst, utilisations
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.knotted import knotted_worst, least_worst
@@ -136,7 +137,12 @@ def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
 
 
 def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
-    """Return how near a run comes to breaking by its extremes; None where that is not known."""
+    """Return how near a run comes to breaking by its extremes; None where that is not known.
+
+    Nor is it at rest where a stretch limiter would carry, which takes no part in that: it may be far nearer.
+    """
+    if rests_beyond(result, found):
+        return None
     near = [found[name] for name in (UTILISATION, GUESSED, KNOTTED, DOUBTED) if name in found]
     if not near or math.isnan(near[0].value):
         return None

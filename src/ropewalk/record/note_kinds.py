@@ -30,6 +30,7 @@ from ropewalk.record.facts import AT_REST
 from ropewalk.record.happenings import STOPPED
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.landings import Landing, landings_of
+from ropewalk.record.limiter_at_rest import rests_beyond
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import both_words, guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
@@ -61,6 +62,7 @@ KINDS = {
     "hard stop": "have a peak of what nothing that gives has stopped: momentum over a step",
     "energy not kept": "have an energy that their steps have not kept: do not trust forces and places",
     "limiter gives energy": "have a limiter that puts energy in: do not trust forces and velocities",
+    "rest beyond limiter": "rest beyond their limiter, which rest is without: spans carry more with it",
     "guess": "hang on a guessed number of the material",
     "knot": "come or may come nearest in a rope whose breaking load is told without its knot",
     "clamp moment too low": "have a clamp's moment that is too low for the length of the segments",
@@ -73,6 +75,7 @@ KINDS = {
     "empty drum": "had a winch stop with its drum empty",
 }  # fmt: skip
 HARD = "hard stops"
+BEYOND_LIMITER = "rest beyond limiter"
 _ELASTIC = ENERGIES.index("elastic")  # those from it on are the same whoever goes along
 BETWEEN = "; "  # kinds of one run
 #: Kind and text of a note.
@@ -152,6 +155,8 @@ def _kinds(result: Result) -> Iterator[str]:
     if at_rest:
         found = less_rounding(result, found)
         notes = notes_at_rest(result, found)
+        if rests_beyond(result, found):
+            yield BEYOND_LIMITER
     else:
         landings = landings_of(result)
         notes = notes_of_extremes(result, found, landings)

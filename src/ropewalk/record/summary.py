@@ -16,6 +16,7 @@ from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.landings import Landing, landings_of
+from ropewalk.record.limiter_at_rest import rest_limiter_note
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
 from ropewalk.record.moving_rows import APART, moving_rows
@@ -228,6 +229,8 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         if name in notes:
             table[f"about the {title.partition(' [')[0]}"] = notes[name][1]
     table |= _moment_at_rest(result, found, notes)
+    if note := rest_limiter_note(result, found):
+        table["about the stretch limiter"] = note
     return (
         table
         | _margins(result, found)

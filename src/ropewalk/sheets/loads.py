@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.landings import landings_of
+from ropewalk.record.limiter_at_rest import rests_beyond
 from ropewalk.record.margins import Margin, doubt_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
@@ -71,6 +72,7 @@ def summary_section(
                 doubts.setdefault(doubt, []).append(title)
     head = ("", "largest tension", "largest force on an anchor", "utilisation", "safety factor")
     items: list[Item] = [Table(head, rows)]
+    items += [] if rest is None else _limited(rest)
     for doubt, titles in doubts.items():
         items.append(Text(f"{' and '.join(titles).capitalize()}: {doubt}.", warning=True))
     items += [] if run is None else _of_the_run(run)
@@ -80,6 +82,14 @@ def summary_section(
     if run is not None and run.partings:
         items.append(_parted(run))
     return Section("Summary", tuple(items))
+
+
+def _limited(rest: Result) -> list[Item]:
+    """Return what is to be said of an equilibrium that a stretch limiter would not let be."""
+    note = rest.table.get("about the stretch limiter")
+    return (
+        [Text(f"The stretch limiter takes no part in rest; {note}.", warning=True)] if note else []
+    )
 
 
 def _of_the_run(run: Result) -> list[Item]:
@@ -130,7 +140,9 @@ def rest_section(
         items.append(Text(f"The least tension at rest is {least}, {note}.", warning=True))
     if rest is not None:
         items += _contacts(rest)
-    if result.scene.limiter is not None and not all(rope.rigid for rope in result.scene.ropes):
+    if limited := _limited(result):
+        items += limited
+    elif result.scene.limiter is not None and not all(rope.rigid for rope in result.scene.ropes):
         items.append(Text("The limiter takes no part in rest."))
     air = result.scene.air
     wind, blows = 0.0 if air is None else math.hypot(*air.wind), ""
@@ -325,6 +337,9 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
 def _utilisation(result: Result, then: str) -> list[Item]:
     found = extremes(result)
     near = margin(result, found)
+    if near is None and rests_beyond(result, found):
+        unknown = "How near to breaking is not known at rest, for the stretch limiter."
+        return [Text(unknown, warning=True)]
     if near is None:
         return [Text("No breaking load is given: how near to breaking is not known.", warning=True)]
     share, place = 100.0 * near.utilisation, place_of(result, UTILISATION, found[UTILISATION])

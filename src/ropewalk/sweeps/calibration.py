@@ -13,6 +13,7 @@ import numpy as np
 from ropewalk.api import SceneLike, as_scene
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import InputError
+from ropewalk.record.note_kinds import BEYOND_LIMITER, kinds_in
 from ropewalk.scene import Scene, SceneError
 from ropewalk.sweeps import measurements
 from ropewalk.sweeps.batch import REST, RUN
@@ -32,7 +33,7 @@ _LOST = 1e6  # least residual of a run that broke, in standard deviations
 
 
 class NotFitted(RuntimeError):  # noqa: N818 - it is what happened, not a mistake
-    """No start led to a fit: all runs broke."""
+    """No start led to a fit: all runs broke, or the best rests beyond a stretch limiter."""
 
 
 class Residuals:
@@ -126,6 +127,16 @@ class Residuals:
         """Return intervals of shares in the parameters' units, by path; nothing for no intervals."""
         parts = zip(self.paths, self.scales, ends, strict=False)
         return {path: (float(s.value(low)), float(s.value(high))) for path, s, (low, high) in parts}
+
+    def refuse_beyond_limiter(self) -> None:
+        """Raise NotFitted where the equilibrium last predicted is not that of the scene with its limiter."""
+        function = self._functions.get(REST)
+        notes = function.last.notes if function is not None else []
+        if any(BEYOND_LIMITER in kinds_in(text) for text in notes):
+            raise NotFitted(
+                "the best fit rests beyond the stretch limiter, which takes no part in rest: its values are "
+                "those of a rope without one. Fit ranges within which it does not act, or a scene without it"
+            )
 
     def close(self) -> None:
         """End the clusters that were started."""
@@ -332,6 +343,7 @@ def _answer(
     extras = [places.field(number)[0].json_schema_extra for number in range(len(row))]
     units = [str(e.get("unit", "")) if isinstance(e, Mapping) else "" for e in extras]
     predicted = residuals.predicted(share[None])[0]
+    residuals.refuse_beyond_limiter()
     cuts = np.cumsum([m.values.size for m in residuals.measurements])[:-1]
     parts = np.split(predicted, cuts)
     words = [*misfit(residuals.measurements, parts, len(row)), *findings.words]

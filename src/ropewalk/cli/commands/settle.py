@@ -62,7 +62,9 @@ def settle(
             spans = rest_spans(model, result.positions[0], result.tension[0], rest.left)
         if output is not None:
             result = result.save(output, overwrite=overwrite)
-    if loaded.limiter is not None and not all(rope.rigid for rope in loaded.ropes):
+    if note := result.table.get("about the stretch limiter"):
+        warn(f"the stretch limiter takes no part in the equilibrium; {note}")
+    elif loaded.limiter is not None and not all(rope.rigid for rope in loaded.ropes):
         warn("the stretch limiter takes no part in the equilibrium")
     if as_json:
         print_json(_facts(result, spans, rest))
