@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pytest
 
 from ropewalk import Anchor, Rope, Scene, Simulation, Springs
 from ropewalk.core.peaks import EXTREMES, PLACE, SINCE, UNTIL, VALUE
 from ropewalk.methods.peak_search import search
+from ropewalk.methods.peaks import root
 from ropewalk.methods.scratch import LANES, SUMS
 
 WHICH, SINCE_TIME, UNTIL_TIME = 3, 1.0, 2.0
@@ -82,3 +85,10 @@ def test_what_hands_change_between_calls_is_in_the_next_interval(method: str, ro
     assert first.highest[0, 2] >= x[2, 2]
     assert first.tension_high[0, 1] >= pull * (1.0 - 1e-12) > 5.0
     assert first.speed_high[1, 3] >= np.linalg.norm(first.v[0, :, 3]) * (1.0 - 1e-12)
+
+
+def test_a_greatest_square_of_nothing_has_no_root() -> None:
+    """Of a rope that broke before a frame; compiled it gave NaN, uncompiled it refused."""
+    assert math.isnan(root(-math.inf))
+    assert math.isnan(root(math.nan))
+    assert [root(0.0), root(4.0)] == [0.0, 2.0]

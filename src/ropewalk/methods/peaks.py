@@ -282,13 +282,19 @@ def record_tensions(high, low, most, least):
         most[j], least[j] = high[j] if seen else 0.0, low[j] if seen else 0.0
 
 
+@small
+def root(square):
+    """Return the root of a greatest square; no number where none was seen, as of a rope that broke."""
+    return math.sqrt(square) if square >= 0.0 else np.nan
+
+
 @apart
 def record_others(stretch, square, most, fastest):
     """Write the greatest stretch of segments, 0 of those of no length [1], and speed of nodes [m/s]."""
     for j in range(most.shape[0]):
         most[j] = max(stretch[j], 0.0)
     for i in range(fastest.shape[0]):
-        fastest[i] = math.sqrt(square[i])
+        fastest[i] = root(square[i])
 
 
 @kernel
@@ -304,7 +310,7 @@ def record_peaks(peaks, frame, out):
         if peaks.found[PLACE, which] < 0.0:
             value = np.nan
         elif which == SPEED or which == FORCE or which == MOMENT:
-            value = math.sqrt(value)
+            value = root(value)
         out.extremes[frame, which] = value
         out.extreme_places[frame, which] = peaks.found[PLACE, which]
         out.extreme_since[frame, which] = peaks.found[SINCE, which]
@@ -314,6 +320,6 @@ def record_peaks(peaks, frame, out):
         out.error_range[frame, bound] = error if error - error == 0.0 else np.nan
         out.error_times[frame, bound] = peaks.error[bound, 1]
     for row in range(out.reaction_high.shape[1]):
-        out.reaction_high[frame, row] = math.sqrt(peaks.reaction[row])
+        out.reaction_high[frame, row] = root(peaks.reaction[row])
     for row in range(out.moment_high.shape[1]):
-        out.moment_high[frame, row] = math.sqrt(peaks.moment[row])
+        out.moment_high[frame, row] = root(peaks.moment[row])
