@@ -299,3 +299,29 @@ def test_bars_of_sobol_indices_have_their_lengths(unknown: rw.Uncertainty) -> No
         assert bars.get_label() == order
     names = [label.get_text() for label in axes.get_yticklabels()]
     assert names == made.parameter.values.tolist()
+
+
+@pytest.mark.parametrize("parameters", [1, 2, 3])
+def test_a_figure_says_what_its_runs_are_noted_for(parameters: int) -> None:
+    """A table counted runs that parted, and the figure of the same sweep said nothing."""
+    sizes = {name: np.array([1.0, 2.0]) for name in ("EA", "gravity_2", "length")[:parameters]}
+    values = np.arange(2.0**parameters).reshape([2] * parameters) + 1.0
+    data = fake(sizes, values, {"name": "tension_max"})
+    numbers = np.arange(values.size).reshape(values.shape)
+    data = data.assign_coords(run=(tuple(sizes), numbers))
+    for notes, told in ((["parted; guess", ""], True), (["", ""], False)):
+        texts = np.array(notes * 2 ** (parameters - 1), dtype=object).reshape([2] * parameters)
+        figure = sweep(data.assign(notes=(tuple(sizes), texts)))
+        said = " ".join(" ".join(text.get_text() for text in figure.texts).split())
+        half = f"{2 ** (parameters - 1)} of {2**parameters} runs parted: their largest tension is"
+        assert (half in said) is told
+    assert isinstance(sweep(data), Figure)  # of a sweep made before there were notes
+
+
+def test_a_band_says_what_its_runs_are_noted_for() -> None:
+    time = np.array([0.0, 1.0])
+    kept = {"name": "tension_max_time", "own": {"time": time}}
+    data = fake({"EA": np.array([1.0, 2.0])}, np.ones((2, 2)), kept)
+    data = data.assign(notes=("EA", np.array(["parted", "parted"], dtype=object)))
+    said = " ".join(text.get_text() for text in sweep(data).texts)
+    assert "2 of 2 runs parted" in " ".join(said.split())

@@ -22,6 +22,7 @@ from ropewalk.plots.style import (
     styled,
     wrap,
 )
+from ropewalk.plots.sweep_notes import notes_of_runs
 from ropewalk.sweeps.designs import plain_rows
 
 if TYPE_CHECKING:
@@ -177,6 +178,7 @@ def _lines(data: xr.Dataset, name: str, parameter: str) -> Figure:
         axes.set_xticks(range(len(labels)), labels)
     if len(parts) > 1:
         axes.legend()
+    set_note(figure, notes_of_runs(data))
     _title(figure, data, name)
     return figure
 
@@ -230,8 +232,8 @@ def _map(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
                 axis.set_ticks([], minor=True)
         if label:
             axes.set_title(label)
-    if broken.any():
-        set_note(figure, ["Crosses on grey: runs that broke."])
+    crosses = ["Crosses on grey: runs that broke."] if broken.any() else []
+    set_note(figure, crosses + notes_of_runs(data))
     _title(figure, data, name)
     return figure
 
@@ -319,7 +321,7 @@ def _panels(data: xr.Dataset, name: str, parameters: list[str]) -> Figure:
         notes.append(f"Pairs of the {paired} parameters that the result follows most.")
     if len(parts) > 1:
         notes.append(f"The largest of {', '.join(label for label, _ in parts)}.")
-    set_note(figure, notes)
+    set_note(figure, notes + notes_of_runs(data))
     _title(figure, data, name)
     return figure
 
@@ -379,7 +381,7 @@ def _band(data: xr.Dataset, name: str) -> Figure:
     note = f"Line: median of {runs}; band: 5 % to 95 % of them at each time."
     if not together:
         note = f"Lines: {shown} of {runs}, whose frames are at different times: no median, no band."
-    set_note(figure, [note])
+    set_note(figure, [note, *notes_of_runs(data)])
     _title(figure, whole, name)
     return figure
 
