@@ -221,3 +221,25 @@ def test_what_another_rope_lost_is_no_share_of_a_peak(joined: bool) -> None:
     table = rw.simulate(Scene(**{"ropes": ropes, "anchors": anchors, "run": run} | more)).table
     assert ("which nothing joins" in table[PULL]) != joined
     assert ("if that belongs in it" in table[PULL]) == joined
+
+
+def test_what_another_rope_has_does_not_hide_a_loss() -> None:
+    """A soft rope that lies stretched beside it, nowhere joined, silenced what was told of the first."""
+    shape = Straight(start=(0, 0, 0), direction=(0, 0, -1))
+    made_of = Material(EA=1e3, mass_per_length=0.5)
+    drops = Rope(name="drops", segments=5, length=3.0, made_of=made_of, shape=shape)
+    soft = Rope(
+        name="soft", segments=2, length=100.0, made_of=Material(EA=5.0, mass_per_length=1e-3),
+        shape=Straight(start=(0, 5, 0), end=(300, 5, 0)),
+    )  # fmt: skip
+    ends = tuple(Anchor(rope="soft", node=node) for node in (0, -1))
+    run = RunSettings(duration=0.5, method="implicit-euler", time_step=0.02)
+    alone = Scene(ropes=(drops,), anchors=(Anchor(rope="drops", node=0),), run=run)
+    beside = alone.replace(ropes=(drops, soft), anchors=(*alone.anchors, *ends))
+    told = [rw.simulate(scene).table for scene in (alone, beside)]
+    assert "rope 'drops'" in told[1]["largest tension at"]
+    assert told[1]["largest tension [N]"] == pytest.approx(told[0]["largest tension [N]"])
+    assert "of motion and stretch of all ropes" in told[0][PULL]
+    assert "of this rope and what is joined to it" in told[1][PULL]
+    about = [table[PULL].partition("beside ")[2].partition(" J")[0] for table in told]
+    assert float(about[1]) == pytest.approx(float(about[0]), rel=0.02)

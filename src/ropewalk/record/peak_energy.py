@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
+from ropewalk.lowering.masses import line, masses
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import SLACK, energy_of_rounding
 from ropewalk.record.extremes import Extreme
@@ -28,11 +30,12 @@ _TOLD = 2.0  # [%] of the energy then: 1 % of the force, but up to 12.5 % of mot
 def peak_energy_note(result: Result, peak: Extreme) -> str:
     """Say by how much the largest tension may be too low for the energy that was lost until then; else "".
 
-    What was lost since the run began, L, beside the energy of motion and stretch about it, E, both of all
-    ropes. Forces go by the root of the energy. Where L would have come into the peak, it would be larger by
-    sqrt(1 + L / E) if the two have nothing to do with each other, and by 1 + sqrt(L / E) if they swing in
-    step. It is no bound: what was lost elsewhere has nothing to do with the peak, and what segments or steps
-    blur besides is not in it. Energies of explicit methods swing with the step, and say nothing of a peak.
+    What was lost since the run began, L, of all ropes, beside the energy of motion and stretch about it, E,
+    of those that hang together with its own. Forces go by the root of the energy. Where L would have come
+    into the peak, it would be larger by sqrt(1 + L / E) if the two have nothing to do with each other, and by
+    1 + sqrt(L / E) if they swing in step. It is no bound: what was lost elsewhere has nothing to do with the
+    peak, and what segments or steps blur besides is not in it. Energies of explicit methods swing with the
+    step, and say nothing of a peak.
     """
     plan = result.plan
     if result.status != FINISHED or not result.facts.ledger or result.facts.provenance.get("live"):
@@ -44,44 +47,75 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
     errors = errors[np.isfinite(errors).all(axis=1)]
     lost = float(errors.max() - errors[-1].min()) if errors.size else 0.0
     about = slice(max(frame - 1, 0), frame + 1)
-    there = float((own_kinetic(result)[about] + result.energy["elastic"][about]).max())
+    moving, taut = own_kinetic(result)[about], result.energy["elastic"][about]
     rope = result.scene.rope_named(result.layout.rope_of(peak.place)[0])
+    joined = _joined(result, rope.name)
+    if len(joined) < len(result.scene.ropes):  # what others have hides nothing
+        own = _own(result, joined, about)
+        moving, taut = np.minimum(moving, own[0]), np.minimum(taut, own[1])
+    there = float((moving + taut).max())
     slack = SLACK * rope.segment_stiffness * rope.segment_length
     if not lost > energy_of_rounding(result.scene) or (peak.value < slack and not rope.rigid):
         return ""
     if not (there > 0.0 and 100.0 * lost > _TOLD * (there + lost)):
         return ""
     head = (
-        f"{plan.method} lost {lost:.3g} J until then, beside {there:.3g} J of motion and stretch of all "
-        "ropes"
+        f"{plan.method} lost {lost:.3g} J until then, beside {there:.3g} J of motion and stretch of"
     )
-    if not _hangs_together(result):
+    if len(joined) < len(result.scene.ropes):
         return (
-            f"{head}, which nothing joins: what another one lost has nothing to do with it; if this "
-            f"one lost it, it may be too low; compare it with a run of {_finer(result)}"
+            f"{head} this rope and what is joined to it: what others lost, which nothing joins to them, has "
+            "nothing to do with it; if these lost it, it may be too low; compare it with a run of "
+            f"{_finer(result)}"
         )
     apart, in_step = (
         1.0 - 1.0 / math.sqrt(1.0 + lost / there),
         1.0 - 1.0 / (1.0 + math.sqrt(lost / there)),
     )
     return (
-        f"{head}: if that belongs in it, it is too low by some {percent(100.0 * apart)} to "
+        f"{head} all ropes: if that belongs in it, it is too low by some {percent(100.0 * apart)} to "
         f"{percent(100.0 * in_step)} (in step with it), a guess and no bound; compare it with a run of "
         f"{_finer(result)}"
     )
 
 
-def _hangs_together(result: Result) -> bool:
-    """Tell whether all ropes may hand each other energy: by joints, slides, pulleys, or as they touch."""
+def _joined(result: Result, name: str) -> set[str]:
+    """Return the ropes that a rope may hand energy to: by joints, slides, pulleys, or as they touch."""
     scene, layout = result.scene, result.layout
-    if len(scene.ropes) == 1 or scene.contact is not None or layout.pulleys:
-        return True
+    if scene.contact is not None or layout.pulleys:
+        return {rope.name for rope in scene.ropes}
     ties = [{tie.rope for tie in one.points} for one in scene.joints]
     ties += [{one.rope, one.on} for one in scene.slides]
-    joined = {scene.ropes[0].name}
+    joined = {name}
     for _ in scene.ropes:
         joined |= set().union(*(tie for tie in ties if tie & joined))
-    return len(joined) == len(scene.ropes)
+    return joined
+
+
+def _own(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats]:
+    """Return the energies of motion and of stretch of some ropes alone in frames [J], (frames,) each.
+
+    Infinite where frames do not tell: of what winches wind, and of stretch that is no straight line.
+    """
+    layout, frames = result.layout, about.stop - about.start
+    moving, taut = np.zeros(frames), np.zeros(frames)
+    if result.scene.winches:
+        return moving + math.inf, taut + math.inf
+    mass = masses(layout, tuple(line(rope) for rope in result.scene.ropes))[0]
+    v = np.nan_to_num(result.read("velocities", about.start, about.stop))
+    name = "elastic_tension" if result.has_total_tension else "tension"
+    pull = np.nan_to_num(result.read(name, about.start, about.stop))
+    for rope, span in zip(result.scene.ropes, layout.ropes, strict=True):
+        if rope.name not in names:
+            continue
+        nodes = slice(span.first, span.last + 1)
+        moving += 0.5 * (mass[nodes] * (v[:, nodes] ** 2).sum(axis=2)).sum(axis=1)
+        if rope.rigid:
+            continue
+        if getattr(rope.made_of, "curve", None) or getattr(rope.made_of, "relaxing_EA", None):
+            return moving, taut + math.inf
+        taut += (pull[:, span.first : span.last] ** 2).sum(axis=1) / (2.0 * rope.segment_stiffness)
+    return moving, taut
 
 
 def _finer(result: Result) -> str:
