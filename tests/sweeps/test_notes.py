@@ -58,6 +58,12 @@ def fallen(post: bool) -> rw.Scene:
     return rw.Scene(ropes=[rope], obstacles=bodies if post else [floor], run=run)
 
 
+def disc() -> rw.Scene:
+    """The same rope across a flat disc, which only what goes along its axis may pass."""
+    flat = {"kind": "cylinder", "start": (0, -0.01, 0), "end": (0, 0.01, 0), "radius": 0.3}
+    return fallen(post=False).replace(obstacles=[flat])
+
+
 def fall(*more: str) -> rw.Scene:
     """A climber's fall on a rope that bears 6 kN."""
     return apply_overrides(rw.preset("climbing-fall"), [*FALL, *more])
@@ -75,6 +81,8 @@ def kinds_of_table(result: rw.Result) -> set[str]:
         worst = float(np.nanmax(np.abs(result.energy_errors), initial=0.0))
         if not steady_note(result, worst, share_turned(result)):
             found.add("energy not kept")
+    if any("only nodes touch" in text for text in rw.check(result.scene, measure=False).warnings):
+        found.add("long segments")
     parted = table.get("segments parted", 0) > 0
     found |= {"parted"} if parted else set()
     if table.get("largest utilisation of the breaking load [%]", 0.0) > 100.0 and not parted:
@@ -106,6 +114,8 @@ NOTED = [
     (dropped, "landing not shown"),
     (lambda: fallen(post=False), "force between frames"),
     (lambda: fallen(post=True), "force between frames"),
+    (lambda: fallen(post=True).replace(**{"rope.segments": 6, "run.duration": 0.4}), "long segments"),
+    (disc, "energy not kept"),
 ]  # fmt: skip
 
 
@@ -249,3 +259,13 @@ def test_a_force_that_rises_between_frames_is_noted_in_every_run_of_a_sweep() ->
     assert all("force between frames" in kinds_in(text) for text in found.notes.values)
     fine = scene.replace(**{"run.frame_rate": 500.0})
     assert "force between frames" not in kinds(rw.simulate(fine))
+
+
+def test_what_check_warns_of_long_segments_is_noted_in_a_sweep() -> None:
+    scene = fallen(post=True).replace(**{"run.duration": 0.1})
+    found = rw.sweep(scene, {"rope.segments": [6, 12, 30]}, on="here", progress=False)
+    assert ["long segments" in kinds_in(text) for text in found.notes.values] == [True, True, False]
+    along = scene.replace(obstacles=disc().obstacles)
+    assert "long segments" not in kinds(rw.simulate(along))
+    turned = along.replace(**{"obstacle.start": (-0.01, 0, 0), "obstacle.end": (0.01, 0, 0)})
+    assert "long segments" in kinds(rw.simulate(turned))

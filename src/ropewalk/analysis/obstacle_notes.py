@@ -12,35 +12,24 @@ from ropewalk.laws.obstacle import radius_of
 from ropewalk.laws.obstacle_rows import half_thickness, place_of
 from ropewalk.lowering import Model
 from ropewalk.lowering.chains import driven_speed, fastest
+from ropewalk.lowering.long_segments import TWICE, long_about, longest_about
 from ropewalk.lowering.obstacle_checks import (
     STAYS_OUT,
     loading_each_other,
-    longest_kept_out,
     radius_with_rope,
     turned_rate,
 )
 from ropewalk.methods.registry import METHODS
-from ropewalk.scene import Rope
 from ropewalk.scene.motions import Table
-from ropewalk.scene.obstacles import Cylinder, HalfPipe, Obstacle, Plane, thinnest, what_is_thin
+from ropewalk.scene.obstacles import HalfPipe, Obstacle, Plane, thinnest, what_is_thin
 from ropewalk.statics import Statics
 from ropewalk.statics.pressing import pressing, rounded
 from ropewalk.words.safe_side import rounded_down
 
 _YIELDS = 0.1  # of a rope's radius, or an obstacle's: contacts that yield more are told of [1]
-_TWICE = 2.0  # of a radius: a longer segment on it has its nodes on two sides [1]
-_ALONG = math.sqrt(0.5)  # cosine of 45 degrees
 _ROUNDING = 1e-9  # of a place [1]
 _PLACES = {"point", "center", "position", "start"}  # fields that say where an obstacle is
 _TURNS = 0.1  # [rad] in a step; with more of it friction points noticeably aside
-
-
-def _goes_along(model: Model, body: Cylinder) -> bool:
-    """Tell whether some segment is drawn rather along a cylinder's axis than across it."""
-    segments = np.diff(model.state.x, axis=1)[:, model.state.stiffness > 0.0]
-    axis = np.subtract(body.end, body.start)
-    sizes = np.linalg.norm(segments, axis=0) * np.linalg.norm(axis)
-    return bool((np.abs(axis @ segments) > _ALONG * sizes).any())
 
 
 def obstacle_warnings(model: Model, statics: Statics) -> list[str]:
@@ -100,24 +89,16 @@ def _begins_elsewhere(model: Model, row: int) -> list[str]:
 
 
 def _long_segments(model: Model, body: Obstacle) -> list[str]:
-    """Return a sentence where segments may pass an obstacle between two nodes, of the rope that most may.
-
-    Each rope has its own thickness: a thick one elsewhere helps no thin one.
-    """
-    if (
-        what_is_thin(body) == "half length"
-        and isinstance(body, Cylinder)
-        and not _goes_along(model, body)
-    ):
-        return []
+    """Return a sentence where segments may pass an obstacle between two nodes, of the rope that most may."""
     ropes = model.scene.ropes
-    rope = max(ropes, key=lambda one: one.segment_length / _longest(body, one))
-    longest = _longest(body, rope)
-    if not rope.segment_length > longest:
+    drawn = np.diff(model.state.x, axis=1)[:, model.state.stiffness > 0.0]
+    rope = long_about(model.scene, body, drawn)
+    if rope is None:
         return []
+    longest = longest_about(body, rope)
     whose = f" of rope {rope.name!r}" if len(ropes) > 1 else ""
     thin, times, measure = thinnest(body), "twice", what_is_thin(body)
-    if longest < _TWICE * (thin + radius_of(rope)):
+    if longest < TWICE * (thin + radius_of(rope)):
         measure = measure if half_thickness(body) == thin else "half thickness"
         thin, times = half_thickness(body), f"{STAYS_OUT:g} times"
     return [
@@ -126,11 +107,6 @@ def _long_segments(model: Model, body: Obstacle) -> list[str]:
         "in): only nodes touch, and a run in which it would slip through between two of them ends there; "
         f"take more segments, of at most {rounded_down(1e3 * longest)} mm"
     ]
-
-
-def _longest(body: Obstacle, rope: Rope) -> float:
-    """Return the length from which on a rope's segments may pass a body between two nodes, or cut it [m]."""
-    return min(longest_kept_out(body, rope), _TWICE * (thinnest(body) + radius_of(rope)))
 
 
 def _yielding(model: Model, statics: Statics, row: int) -> list[str]:

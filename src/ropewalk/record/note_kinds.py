@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ropewalk.hands.drum import EMPTY, PARTED
+from ropewalk.lowering.long_segments import long_about
 from ropewalk.methods.recording import ENERGIES
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import (
@@ -35,6 +36,7 @@ from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import both_words, guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.pressed_rows import pressed_kind
+from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
 from ropewalk.record.too_low import anchor_too_low, tension_too_low
 from ropewalk.record.turnover import (
@@ -69,6 +71,7 @@ KINDS = {
     "mean anchor force": "have an anchor's force, the mean over a step, less than the tension beside it",
     "end weight": "have an anchor that bears half a segment's weight more than the largest tension",
     "beyond curve": "are stretched to where the curve or the EA of the rope is not its own any more",
+    "long segments": "have segments longer than twice an obstacle's radius: ropes may pass between nodes",
     "inside obstacle": "have a node whose middle was inside an obstacle, where no rope can be",
     "push": "have segments that push, which a rope does not",
     "slide ran off": "lost a slide at the end of a rope that had parted",
@@ -141,6 +144,7 @@ def notes_at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Note]:
 def kinds(result: Result) -> tuple[str, ...]:
     """Return the kinds of all that a sound run's table warns of, but for what takes long to look for.
 
+    And of what `check` warns of before a run that no table has: segments that are long about an obstacle.
     That is what is said of contacts that brake early, of wraps and of slides: `reach_note`, `coarse_note` and
     `moving_rows` take up to half as long as the run itself, or more. Of forces on several obstacles few
     frames are looked at, unless an end lands: `pressed_kind`.
@@ -164,6 +168,8 @@ def _kinds(result: Result) -> Iterator[str]:
     for kind, _ in notes.values():
         yield from kinds_in(kind)
     near = margin(result, found) if UTILISATION in found else None
+    if _long_segments(result):
+        yield "long segments"
     events = () if at_rest else tuple(_of_events(result))
     yield from events
     if near is not None:
@@ -181,6 +187,20 @@ def _kinds(result: Result) -> Iterator[str]:
             yield "limiter gives energy"
         if deep_note(result):
             yield "inside obstacle"
+
+
+def _long_segments(result: Result) -> bool:
+    """Tell whether segments may pass an obstacle between two nodes."""
+    scene, layout = result.scene, result.layout
+    if not scene.obstacles:
+        return False
+    lengths = [rope.segment_length for rope in scene.ropes]
+    rest = rest_length_at_start(layout, lengths)
+    if "rest_length" in result.source.names:
+        rest = result.read("rest_length", 0, 1)[0]
+    drawn = np.diff(result.read("positions", 0, 1)[0], axis=0)
+    there = drawn[has_rope(layout, rest, lengths)].T
+    return any(long_about(scene, body, there) is not None for body in scene.obstacles)
 
 
 def less_rounding(result: Result, found: dict[str, Extreme]) -> dict[str, Extreme]:
