@@ -1,4 +1,4 @@
-"""What `check` says of obstacles that throw back: whether their contacts go deep enough, and not too deep."""
+"""What `check` says of what throws back: whether contacts go deep enough, and not too deep."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ropewalk.analysis.obstacle_notes import reckoned_speed
 from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.striking import pushes
 from ropewalk.lowering import Model
-from ropewalk.lowering.rebound_checks import RESOLVED, swings
+from ropewalk.lowering.rebound_checks import RESOLVED, linear_to, masses_that_meet, swings
 from ropewalk.statics import Statics
 from ropewalk.words.safe_side import rounded_down, rounded_up
 
@@ -18,6 +18,11 @@ _MOST = 0.75  # [1] of half a body's thickness: what comes deeper would go throu
 
 
 def rebound_warnings(model: Model, statics: Statics) -> list[str]:
+    """Return a sentence for everything by which a restitution is not what it says."""
+    return _of_obstacles(model, statics) + _of_ropes(model, statics)
+
+
+def _of_obstacles(model: Model, statics: Statics) -> list[str]:
     """Return a sentence for everything by which an obstacle's restitution is not what it says."""
     bodies = model.scene.obstacles
     rows = [row for row, body in enumerate(bodies) if body.restitution > 0.0]
@@ -65,3 +70,38 @@ def _depths(model: Model, row: int, speed: float) -> list[str]:
             f"{rounded_down(soft / share**2, 2)} m/N"
         ]
     return []
+
+
+def _of_ropes(model: Model, statics: Statics) -> list[str]:
+    """Return a sentence for everything by which that of ropes on ropes is not what it says."""
+    contact = model.scene.contact
+    if contact is None or contact.restitution == 0.0 or contact.compliance is None:
+        return []
+    soft, limit, allowed = contact.compliance, model.scene.run.tolerance, linear_to(model.system)
+    speed, (least, most) = (
+        reckoned_speed(model, statics),
+        masses_that_meet(model.system, model.state),
+    )
+    shallow, deep = (speed * math.sqrt(soft * mass) for mass in (least, most))
+    found = []
+    comes = f"contact: segments that meet at {speed:.3g} m/s, the fastest to reckon with, are pressed by"
+    if 0.0 < shallow < RESOLVED * limit:
+        finer, softer = shallow / RESOLVED, soft * (RESOLVED * limit / shallow) ** 2
+        found.append(
+            f"{comes} {1e3 * shallow:.3g} mm, {shallow / limit:.2g} tolerances, and its restitution is right "
+            f"from {RESOLVED:g} on; take a run.tolerance of at most {rounded_down(finer, 2)} m, or a "
+            f"compliance of at least {rounded_up(softer, 2)} m/N"
+        )
+    elif deep > allowed:
+        found.append(
+            f"{comes} {1e3 * deep:.3g} mm, and contacts of ropes are linear to {1e3 * allowed:.3g} mm: "
+            f"beyond they throw back more; take a compliance of at most "
+            f"{rounded_down(soft * (allowed / deep) ** 2, 2)} m/N"
+        )
+    long = [rope for rope in model.scene.ropes if rope.segments > 1]
+    if long:
+        found.append(
+            f"contact: its restitution is that of two segments on their own; those beside them in rope "
+            f"{long[0].name!r} pull meanwhile, and what is left to its segments is not that"
+        )
+    return found

@@ -1,4 +1,4 @@
-"""What an obstacle throws back of what hits it: a coefficient of restitution, by the damper of its contact.
+"""What a contact throws back of what hits: a coefficient of restitution, by its damper.
 
 A node of mass m that comes with u is pressed from where its damper takes hold to where that lets go, by
     k u exp(-z w t) sin(w' t) / w',   w = sqrt(k / m),   w' = w sqrt(1 - z^2),
@@ -8,6 +8,8 @@ of u, both seen from the surface; its weight changes that by the square of g / (
 deep: the steps of `adaptive` follow that, if it is thirty of their tolerances and more. Along the surface the
 damper is the critical one as ever. What sticks does not ring there, but the spring that it has wound up lets
 go with the contact: it may leave backwards, as elastic bodies do, where Coulomb's rigid one would stop.
+Of two segments that meet it is the same with m = 1 / sum(c_a^2 / m_a), c_a the shares of their four nodes in
+the points where they touch: what those move as, together.
 Source: Schwager & Poeschel 2007, Granular Matter 9:465 (which force ends a collision).
 """
 

@@ -7,6 +7,7 @@ from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.table import FAULT, FULL, NEAR
 from ropewalk.lowering.layout import Layout
 from ropewalk.lowering.obstacle_checks import RINGING
+from ropewalk.lowering.rebound_checks import contact_rebound_faults
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
@@ -36,6 +37,7 @@ def refuse_contact(
             f"comes to rest; methods that can: {able}"
         )
         faults.append(Fault("run.method", method, rule))
+    faults += contact_rebound_faults(scene, system, state)
     faults += _inside(system, state, layout) if drawn else []
     if faults:
         raise SceneError(faults)

@@ -1,4 +1,4 @@
-"""Obstacles that cannot throw back what the scene asks for: by the method, the contact or the body."""
+"""What cannot throw back as the scene asks for: by the method, the contact or the body."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
+from ropewalk.laws.pairs.table import LAYER
 from ropewalk.lowering.chains import fastest
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
@@ -19,6 +20,7 @@ RESOLVED = (
 )
 _WHY = "(m/N): by default a contact hardens as it is pressed, and would throw back something else"
 _GIVES = 0.1  # [1] diameters that it goes in with the compliance that is told
+_LESS = 0.5  # [1] the same of ropes on ropes, over how deep their contacts are linear
 
 
 def swings(system: System, row: int) -> Floats:
@@ -30,17 +32,11 @@ def swings(system: System, row: int) -> Floats:
 
 def rebound_faults(scene: Scene, system: System, state: State) -> Iterator[Fault]:
     """Yield a fault for every obstacle whose restitution cannot be honoured."""
-    method = scene.run.method
     for row, body in enumerate(scene.obstacles):
         given, path = body.restitution, f"obstacle[{row}].restitution"
         if given == 0.0:
             continue
-        if method == "auto" or METHODS[method].fixed:
-            rule = (
-                f'asks for run.method = "adaptive", whose steps follow a hit and what it throws back; it is '
-                f'"{method}", and steps of a fixed length take all of its speed: set that, or leave this out'
-            )
-            yield Fault(path, given, rule)
+        yield from _by_method(scene.run.method, path, given)
         if is_free(body):
             rule = (
                 "is of bodies that stand, or move as they are told: one that turns freely gives way; leave "
@@ -49,6 +45,56 @@ def rebound_faults(scene: Scene, system: System, state: State) -> Iterator[Fault
             yield Fault(path, given, rule)
         if body.compliance is None:
             yield Fault(path, given, f"asks for a compliance {_advice(scene, system, state)}")
+
+
+def contact_rebound_faults(scene: Scene, system: System, state: State) -> Iterator[Fault]:
+    """Yield a fault where the restitution of ropes on ropes cannot be honoured."""
+    contact, path = scene.contact, "contact.restitution"
+    if contact is None or contact.restitution == 0.0:
+        return
+    yield from _by_method(scene.run.method, path, contact.restitution)
+    if contact.compliance is None:
+        told, (_, most) = _WHY, masses_that_meet(system, state)
+        speed, deep = fastest(system, state), _LESS * linear_to(system)
+        if speed > 0.0 and most > 0.0:
+            told += (
+                f"; with {rounded_down((deep / speed) ** 2 / most, 2)} segments that meet at {speed:.3g} m/s "
+                f"as one of {most:.3g} kg go {1e3 * deep:.3g} mm into each other"
+            )
+        yield Fault(path, contact.restitution, f"asks for a compliance {told}")
+
+
+def linear_to(system: System) -> float:
+    """Return how deep contacts of ropes are as soft as their compliance says [m]."""
+    table = system.node.contact
+    return float(3.0 * LAYER * 2.0 * table.radius[table.rope >= 0].min())
+
+
+def masses_that_meet(system: System, state: State) -> tuple[float, float]:
+    """Return the least and the largest mass [kg] as which two segments may meet: ends, and middles.
+
+    0 where none is free.
+    """
+    table, inverse = system.node.contact, state.inverse_mass
+    ease, ropes = inverse / (1.0 + inverse * table.joined), np.flatnonzero(table.rope >= 0)
+    one, other = ease[ropes], ease[ropes + 1]
+    ends = np.sort(np.concatenate([one, other]))[-2:]
+    middles = np.sort(0.25 * (one + other))
+    moves = middles[middles > 0.0]
+    if not len(moves):
+        return 0.0, 0.0
+    held = len(moves) < len(middles)
+    return float(1.0 / ends.sum()), float(1.0 / (moves[0] if held else moves[:2].sum()))
+
+
+def _by_method(method: str, path: str, given: float) -> Iterator[Fault]:
+    """Yield a fault where a method has no steps that follow a hit."""
+    if method == "auto" or METHODS[method].fixed:
+        rule = (
+            f'asks for run.method = "adaptive", whose steps follow a hit and what it throws back; it is '
+            f'"{method}", and steps of a fixed length take all of its speed: set that, or leave this out'
+        )
+        yield Fault(path, given, rule)
 
 
 def _advice(scene: Scene, system: System, state: State) -> str:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.scene.base import Many, Model, Number, listed, positive
+from ropewalk.scene.base import Many, Model, Number, listed, positive, quantity
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.rope import Rope
 from ropewalk.scene.rubbing import RopePair, coefficient
@@ -37,6 +37,14 @@ class Contact(Model):
         "their own inertia and stiffness allow, and less the deeper",
         "m/N",
         default=None,
+    )
+    restitution: Number = quantity(
+        "Share of the speed across the contact with which segments part that hit each other, of two on their "
+        "own; asks for a `compliance` and the method `adaptive`",
+        "1",
+        default=0.0,
+        ge=0,
+        le=1,
     )
 
     def frictions_of(self, ropes: Sequence[Rope], one: Ints, other: Ints) -> Floats:

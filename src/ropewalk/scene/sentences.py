@@ -172,8 +172,8 @@ def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
 
 #: Keys that a scene might have, and has not: why, and what comes nearest.
 _NOT_BUILT = {
-    "restitution": "there is none here, but of obstacles: ropes that meet rebound by their own elasticity "
-    "alone, and a [ground] throws back by its spring, the less the larger its damping_ratio; leave it out",
+    "restitution": "there is none here, but of obstacles, and of ropes on ropes in [contact]: a [ground] "
+    "throws back by its spring, the less the larger its damping_ratio; leave it out",
 }
 _Rule = Callable[[Mapping[str, Any], Place, Any], str]
 _RULES: dict[str, _Rule] = {

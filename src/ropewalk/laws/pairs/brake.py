@@ -16,7 +16,7 @@ drag from the points that it has by then; it follows u within the step, so that 
 how long steps are, and S is less by SHARPER: as little comes back as with the drag of a step's start, and its
 rate is that much more at most. A step too long to follow how it stops something counts as a hit.
 What slides as it hits meets the same drag across, up to mu times what presses: friction takes mu times the
-impulse, or all.
+impulse, or all. Contacts that throw back have no drag.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from ropewalk.laws.pairs.table import (
     CLOSES,
     CONTACTS,
     DEEPEST,
+    EASE,
     HARD,
     NEW,
     NORMAL,
@@ -37,6 +38,7 @@ from ropewalk.laws.pairs.table import (
     WRONG,
     between,
     share_of,
+    throws_back,
 )
 
 SOFT = 0.005  # [1] S over the sum of the radii
@@ -89,17 +91,28 @@ def stop_within(x, grip, row, i, j, size):
 
 
 @small
-def brake_contact(x, v, inverse_mass, table, memory, row, most):
-    """Keep what drag [N s/m] a contact has for what comes closer; return its rate, `most` at most [1/s]."""
-    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
-    closes, moves = closing(v, grip, row, i, j), 0.0
+def ease(inverse_mass, behind, grip, row, i, j):
+    """Return one over the mass that a contact's points move as, with so much behind nodes (n,) [1/kg]."""
+    moves = 0.0
     for a in range(4):
         node = i + a if a < 2 else j + a - 2
         light = inverse_mass[node]
-        if table.behind[node] > 0.0:
-            light /= 1.0 + light * table.behind[node]
+        if behind[node] > 0.0:
+            light /= 1.0 + light * behind[node]
         moves += share_of(grip, row, a) ** 2 * light
+    return moves
+
+
+@small
+def brake_contact(x, v, inverse_mass, table, memory, row, most):
+    """Keep what drag [N s/m] a contact has for what comes closer; return its rate, `most` at most [1/s]."""
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     grip[row, BRAKE], grip[row, CLOSES] = 0.0, 0.0
+    if throws_back(table):
+        grip[row, EASE] = ease(inverse_mass, table.joined, grip, row, i, j)
+        return 0.0
+    closes = closing(v, grip, row, i, j)
+    moves = ease(inverse_mass, table.behind, grip, row, i, j)
     if not (closes > 0.0 and moves > 0.0):
         return 0.0
     rate = min(closes / stop_within(x, grip, row, i, j, table.radius[i] + table.radius[j]), most)

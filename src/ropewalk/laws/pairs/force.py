@@ -4,7 +4,7 @@ With u the vector from a point of segment j to one of segment i, both frozen lik
 of the radii, g = n.u - d - e (e see `offsets`), P = I - n n^T, D what the vector between the
 surfaces (`table.apart`) has changed by since the last accepted step, D' its rate, and R' the friction
 spring's force then,
-    R_n = max(0, R(-g) - c n.u')                       it presses
+    R_n = max(0, R(-g) - z c n.u')                     it presses
     q   = P (R' - k_t D) - c_t P D'
     R_t = q            where |q| <= mu R_n             it sticks
           mu R_n q/|q| elsewhere                       it slips
@@ -12,7 +12,8 @@ on segment i, and the opposite on j, shared among their nodes as the points and 
 times the depth in a skin of LAYER d, gets as stiff as the rope is across from 2 LAYER d on, and STOP times
 that from 3 to 5 LAYER d: what is thrown against it stops. The damper grows with k_t, so that an impact does
 not bounce back whole. Where what closes meets the drag of `brake` and that is more, it is c, and c_t as long
-as it lasts: else c. In `adaptive` the drag follows how fast it closes within the step; c_t does not.
+as it lasts: else c. In `adaptive` the drag follows how fast it closes within the step; c_t does not. z is 1,
+and less where contacts throw back, see `laws.rebound`; those have no drag.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
 """
@@ -125,7 +126,8 @@ def add_pair_forces(x, v, table, memory, force):
         i, j = pair[row, 0], pair[row, 1]
         soft, hard, stop, damping, size = spring_of(table, memory.grip, row, i, j)
         u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
-        push, _, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
+        ratio = table.ratio[0]
+        push, _, _ = pressed(grip, row, u, w, soft, hard, stop, ratio * damping, size)
         if not push > 0.0:
             continue
         drag, _ = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)

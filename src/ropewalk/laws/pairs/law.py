@@ -23,9 +23,11 @@ from ropewalk.laws.pairs.boxes import room_for
 from ropewalk.laws.pairs.brake import brake_again, brake_hits
 from ropewalk.laws.pairs.force import add_pair_forces, pair_energy, pair_forces, pair_rounding
 from ropewalk.laws.pairs.heaps import leads
+from ropewalk.laws.pairs.neighbours import neighbours, note_joints, with_slides
 from ropewalk.laws.pairs.offsets import swap_offsets
 from ropewalk.laws.pairs.pair_books import book_pairs
 from ropewalk.laws.pairs.pair_events import pair_events
+from ropewalk.laws.pairs.pair_hits import quickest_closing
 from ropewalk.laws.pairs.pair_memory import remember_pairs
 from ropewalk.laws.pairs.pair_tangent import along_pairs, couple_pairs
 from ropewalk.laws.pairs.search import note_ropes
@@ -46,8 +48,9 @@ from ropewalk.laws.pairs.table import (
     Memory,
     Pairs,
 )
-from ropewalk.laws.pairs.way import AGAIN, meet_pairs, quickest_closing
+from ropewalk.laws.pairs.way import AGAIN, meet_pairs
 from ropewalk.laws.pairs.wound import wind_pairs
+from ropewalk.laws.rebound import ratio_of
 from ropewalk.laws.striking import pushes
 
 if TYPE_CHECKING:
@@ -61,7 +64,6 @@ if TYPE_CHECKING:
 
 SKIN = 0.5  # [1] how far lists of pairs look ahead, over the largest diameter
 RIGID = 100.0  # [1] stiffness of a contact of rigid links pressed far, over that pressed little
-NEIGHBOURS = 0.8 * math.pi  # [1] rope on each side that counts as neighbour, over its radius
 ROWS, LISTED = 16, 40  # contacts, and pairs nearby, that there is room for, per segment
 LEAST_ROWS = 256
 
@@ -82,6 +84,7 @@ def lower(
     """
     s = layout.segments if contact is not None else 0
     table = Pairs(
+        ratio=np.array([ratio_of(0.0 if contact is None else contact.restitution)]),
         friction=np.zeros((0, 0)) if contact is None else contact.frictions(ropes),
         skin=np.zeros(1),
         total=np.array([rope.total_mass for rope in ropes]),
@@ -94,6 +97,7 @@ def lower(
         mass=np.zeros(s),
         load=np.zeros(layout.nodes if s else 0),
         behind=np.zeros(layout.nodes if s else 0),
+        joined=np.zeros(layout.nodes if s else 0),
         rope=np.full(s, -1, np.int64),
         skip=np.ones(s, np.int64),
         joint=np.full((s, 2), -1, np.int64),
@@ -123,60 +127,8 @@ def lower(
             own_masses = table.mass[span.first] + table.load[span.first : span.last + 1]
             table.behind[span.first : span.last + 1] = np.maximum(mass - own_masses, 0.0)
     table.skin[0] = SKIN * 2.0 * float(table.radius.max())
-    _note_joints(table, layout, ropes, joints, inert)
-    return _with_slides(table, layout, ropes, slides)
-
-
-def neighbours(rope: Rope, radius: float = 0.0) -> int:
-    """Return how many segments on each side of one are its neighbours, which it does not touch.
-
-    Or, where a node slides along a rope of some radius [m], which of those beside it do not touch that one.
-    """
-    reach = NEIGHBOURS * max(0.5 * rope.diameter, radius)
-    if reach >= rope.length_unstretched:  # springs of no length, too
-        return rope.segments
-    return math.ceil(reach / rope.segment_length)
-
-
-def _note_joints(
-    table: Pairs, layout: Layout, ropes: Sequence[Rope], joints: Sequence[Joint], inert: Floats
-) -> None:
-    """Write which joints are so near a segment that those beyond them are its neighbours; what they tie."""
-    numbers = {rope.name: number for number, rope in enumerate(ropes)}
-    for j, joint in enumerate(joints):
-        nodes = [layout.node(tie.node, tie.rope) for tie in joint.points]
-        together, pushed = table.load[nodes].sum(), (inert + table.behind)[nodes].max()
-        table.behind[nodes] = max(inert[nodes].sum(), pushed) - inert[nodes]
-        for tie in joint.points:
-            rope, span = ropes[numbers[tie.rope]], layout.ropes[numbers[tie.rope]]
-            node, reach = layout.node(tie.node, tie.rope), max(1, neighbours(rope))
-            table.load[node] = together
-            for k in range(max(node - reach, span.first), min(node + reach, span.last)):
-                side = 0 if k >= node else 1
-                if table.joint[k, side] < 0 or abs(k - node) < reach:
-                    table.joint[k, side] = j
-
-
-def _with_slides(
-    table: Pairs, layout: Layout, ropes: Sequence[Rope], slides: Sequence[Slide]
-) -> Pairs:
-    """Return the table with the segments near nodes that slide along ropes: they lie inside those."""
-    numbers = {rope.name: number for number, rope in enumerate(ropes)}
-    rows: list[tuple[int, ...]] = []
-    near: list[list[int]] = [[] for _ in table.rope]
-    for number, slide in enumerate(slides):
-        own, line = numbers[slide.rope], numbers[slide.on]
-        span, other = layout.ropes[own], layout.ropes[line]
-        radius = 0.5 * max(ropes[own].diameter, ropes[line].diameter)
-        node = layout.node(slide.node, slide.rope)
-        reach, within = (max(1, neighbours(ropes[i], radius)) for i in (own, line))
-        for k in range(max(node - reach, span.first), min(node + reach, span.last)):
-            near[k].append(len(rows))
-            rows.append((k, number, other.first, other.last - 1, within, node, other.start))
-    found = np.full((len(near), max(map(len, near), default=0)), -1, np.int64)
-    for k, one in enumerate(near):
-        found[k, : len(one)] = one
-    return table._replace(slides=found, inside=np.array(rows, np.int64).reshape(-1, 7))
+    note_joints(table, layout, ropes, joints, inert)
+    return with_slides(table, layout, ropes, slides)
 
 
 def acts(table: Pairs) -> bool:

@@ -18,6 +18,7 @@ from ropewalk.core.jit import kernel, small
 from ropewalk.laws.pairs.distance import nearest
 from ropewalk.laws.pairs.force import depth_at, squeeze
 from ropewalk.laws.pairs.heaps import heavy_of, weigh_heaps
+from ropewalk.laws.pairs.pair_hits import swings
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     EXTRA,
@@ -33,6 +34,7 @@ from ropewalk.laws.pairs.table import (
     WRONG,
     between,
     spring_of,
+    throws_back,
 )
 
 FADES = 0.03  # [s]
@@ -107,8 +109,10 @@ def lead_offsets(x, dt, table, memory):
             grip[row, LEFT] = max(size - nearest(x, x, 0.0, i, j)[2], 0.0)
         elif not grip[row, PUSH] > 0.0:
             grip[row, LEFT] = 0.0
+        elif swings(table, memory, row):  # its energy hangs on how deep it counts
+            continue
         elif dt > 0.0 and touches_still(memory, row, STILL * size * dt):
-            if lies_still(memory, i, j, STILL * size * dt):
+            if not throws_back(table) and lies_still(memory, i, j, STILL * size * dt):
                 follow(x, dt, table, memory, row, faded, heavy_of(table, memory.place, i))
             else:  # as of a lever that is being pressed up: were it to fade then, it would do so for ever
                 grip[row, MORE] = max(grip[row, MORE], faded)

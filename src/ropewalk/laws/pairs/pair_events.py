@@ -5,8 +5,8 @@ rises through zero. One that was there as the step began is followed along the f
 the accelerations that they began with, and its own points, normal and offset. What has become a contact in
 the step is followed to where it is within reach, for before there is none, and then to where it is pressed.
 Steps end just behind that reach where its damper takes hold of it there, and else just before it is pressed.
-What takes over from a contact beside it begins nothing. Where ropes part no step ends: what they have left of
-their speed is little, and so is the error.
+What takes over from a contact beside it begins nothing. Where ropes part no step ends but of contacts that
+throw back, just behind: what others have left of their speed is little, and so is the error.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from ropewalk.laws.pairs.table import (
     between,
     reduced,
     spring_of,
+    throws_back,
 )
 
 TRIES = 100  # for where a pair is within reach
@@ -49,7 +50,7 @@ def pressed_by(x, v, table, memory, row, i, j):
     soft, hard, stop, damping, size = spring_of(table, memory.grip, row, i, j)
     depth = depth_at(x, memory, row, i, j, size)
     force = squeeze(depth, soft, hard, stop, LAYER * size)[0]
-    return (force - damping * across(v, memory.grip, row, i, j)) / soft
+    return (force - table.ratio[0] * damping * across(v, memory.grip, row, i, j)) / soft
 
 
 @small
@@ -64,20 +65,23 @@ def first_root(e, rate, bend):
 
 @kernel
 def end_of_touch(table, before, after, row, i, j, dt, tolerance):
-    """Return where a step is to end [s] at whose end a contact presses that was open; inf: where it does."""
+    """Return where a step is to end [s] in which a contact begins or ceases to press; inf: where it does."""
     memory = before.memory.contact
     soft, _, _, damping, _ = spring_of(table, memory.grip, row, i, j)
+    damping *= table.ratio[0]
     mass, bend = (
         reduced(table, memory.grip, row, i, j),
         across(before.acceleration, memory.grip, row, i, j),
     )
     e = pressed_by(before.x, before.v, table, memory, row, i, j)
     e1 = pressed_by(after.x, after.v, table, memory, row, i, j)
-    if e > 0.0 or not e1 > 0.0:
+    if (e > 0.0) == (e1 > 0.0) or (e > 0.0 and not throws_back(table)):
         return math.inf
     rate = -across(before.v, memory.grip, row, i, j) - damping / soft * bend
-    e1 *= 1.0 + dt * damping / mass  # had nothing braked it
-    early = first_root(e, rate, bend)
+    early = math.inf
+    if e1 > 0.0:
+        early = first_root(e, rate, bend)
+        e1 *= 1.0 + dt * damping / mass  # had nothing braked it
     return end_of_pressing(e, rate, early, e1, dt, math.sqrt(soft / mass), tolerance)
 
 
@@ -163,7 +167,8 @@ def end_of_meeting(table, before, after, row, i, j, dt, tolerance):
     """Return where a step is to end [s] in which two segments have become a contact; inf: where it does."""
     size = table.radius[i] + table.radius[j]
     soft = 1.0 / (table.soft[i] + table.soft[j])
-    lag = 2.0 * math.sqrt(reduced(table, after.memory.contact.grip, row, i, j) / soft)
+    mass = reduced(table, after.memory.contact.grip, row, i, j)
+    lag = 2.0 * table.ratio[0] * math.sqrt(mass / soft)
     at = comes_within(before, i, j, REACH * size, dt)
     if at == math.inf:
         return at
@@ -197,7 +202,7 @@ def takes_over(before, after, i, j):
 def pair_events(table, before, after, dt, tolerance):
     """Return where a step between two states is to end for the first contact that begins to press [s].
 
-    Infinite: where it does. And how many have begun to, or are new.
+    Infinite: where it does; or ceases to, of those that throw back. And how many have, or are new.
     """
     first, last, end, changes = before.memory.contact, after.memory.contact, math.inf, 0
     for row in range(last.tally[CONTACTS]):
@@ -207,7 +212,9 @@ def pair_events(table, before, after, dt, tolerance):
             if not takes_over(before, after, i, j):
                 changes += 1
                 end = min(end, end_of_meeting(table, before, after, row, i, j, dt, tolerance))
-        elif last.grip[row, PUSH] > 0.0 and not first.grip[old, PUSH] > 0.0:
+            continue
+        was, presses = first.grip[old, PUSH] > 0.0, last.grip[row, PUSH] > 0.0
+        if was != presses and (presses or throws_back(table)):
             changes += 1
             end = min(end, end_of_touch(table, before, after, old, i, j, dt, tolerance))
     return end, float(changes)

@@ -5,7 +5,7 @@ keeps its points and its normal as long as they say where the segments are to WR
 it counts as less deep by no more, with its offset: the nearest points of almost parallel segments jump from
 step to step, and contacts would slip a little in each.
 One that has wandered on to the next segment passes on what it holds. Those that slip get theirs in every
-step, as they will be at its end.
+step, as they will be at its end. Those that throw back get them as they are while they are open, or swing.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from ropewalk.laws.pairs.distance import (
 )
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.offsets import lead_offsets
+from ropewalk.laws.pairs.pair_hits import swings
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.swept import sweep
 from ropewalk.laws.pairs.table import (
@@ -57,6 +58,7 @@ from ropewalk.laws.pairs.table import (
     depth_of,
     friction_of,
     spring_of,
+    throws_back,
 )
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
@@ -104,7 +106,7 @@ def hold(x, v, table, memory, row):
     i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
     soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
     u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
-    push, _, _ = pressed(grip, row, u, w, soft, hard, stop, damping, size)
+    push, _, _ = pressed(grip, row, u, w, soft, hard, stop, table.ratio[0] * damping, size)
     closed = 1.0 if push > 0.0 and grip[row, PUSH] == 0.0 else 0.0
     push = max(push, 0.0)
     q = pull_of(grip, row, u, w, 0.0)
@@ -220,9 +222,12 @@ def refresh(x, v, dt, y, table, memory, row, tied):
     if distance >= REACH * size or memory.rope[i] < 0 or memory.rope[j] < 0:
         grip[row, GONE] = 1.0
         return
-    if slips(memory, row, friction_of(table, i, j)) and lead(x, v, dt, y, table, memory, row, tied):
+    anew = throws_back(table) and not grip[row, PUSH] > 0.0  # to 3 % would be too little
+    anew = anew or swings(table, memory, row)
+    friction = friction_of(table, i, j)
+    if not anew and slips(memory, row, friction) and lead(x, v, dt, y, table, memory, row, tied):
         return
-    if not is_right(x, memory, row, size, distance):
+    if anew or not is_right(x, memory, row, size, distance):
         if owns(x, x, 0.0, table, memory, tied, i, j, s, t):
             before = depth_at(x, memory, row, i, j, size)
             freeze(x, x, 0.0, table, memory, row, s, t)

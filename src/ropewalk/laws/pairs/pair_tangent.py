@@ -37,7 +37,8 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
     soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
     u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
-    push, slope, drag = pressed(grip, row, u, w, soft, hard, stop, damping, size)
+    ratio = table.ratio[0]
+    push, slope, drag = pressed(grip, row, u, w, soft, hard, stop, ratio * damping, size)
     if not push > 0.0:
         return ZERO9
     n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])

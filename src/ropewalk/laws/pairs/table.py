@@ -23,8 +23,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # the row is to go, by how much more it counts as pressed than its points say [m], whether it was found
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
 # this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
-# MORE in the step that has led here [m], and how fast it closed as the step began, where BRAKE goes with that
-# within the step, else 0 [m/s].
+# MORE in the step that has led here [m], how fast it closed as the step began, where BRAKE goes with that
+# within the step, else 0 [m/s], and, of what throws back, one over the mass that its points move as [1/kg].
 (
     NORMAL,
     OWN,
@@ -42,6 +42,7 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     LEFT,
     WAS,
     CLOSES,
+    EASE,
 ) = (
     0,
     3,
@@ -59,9 +60,10 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     24,
     25,
     26,
+    27,
 )
 NEW = -1.0  # in BRAKE: not known yet
-WIDTH = 27
+WIDTH = 28
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED, SETTLES = range(10)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
@@ -75,6 +77,7 @@ SEGMENT, SLIDE, FROM, TO, WITHIN, NODE, START = range(7)
 class Pairs(NamedTuple):
     """Segments as contacts see them, one row each; (0,) without contact."""
 
+    ratio: Floats  # (1,) damping ratio across; below 1 it throws back, see `laws.rebound` [1]
     friction: Floats  # (r, r) coefficients of friction of ropes on each other [1]
     skin: Floats  # (1,) how far lists of pairs look ahead [m]
     total: Floats  # (r,) mass of every rope with its loads [kg]
@@ -87,6 +90,7 @@ class Pairs(NamedTuple):
     mass: Floats  # (s,) of a node [kg]
     load: Floats  # (n,) what nodes carry beside their rope [kg]
     behind: Floats  # (n,) what rigid links push along with a node, or a joint does [kg]
+    joined: Floats  # (n,) what joints tie to a node [kg]
     rope: Ints  # (s,) number of the rope, -1 between ropes
     skip: Ints  # (s,) so many segments beside it are its neighbours
     joint: Ints  # (s, 2) the joints near it, -1: none
@@ -122,6 +126,12 @@ def friction_of(table, i, j):
 
 
 @small
+def throws_back(table):
+    """Tell whether contacts throw back what hits."""
+    return table.ratio[0] < 1.0
+
+
+@small
 def mass_at(table, i, s):
     """Return the mass that a contact meets at a point of a segment, its loads with it [kg].
 
@@ -136,8 +146,11 @@ def mass_at(table, i, s):
 def reduced(table, grip, row, i, j):
     """Return the mass that a contact's damper is for [kg].
 
-    Of a load that meets what is lighter only half of that, as of two alike: steps allow for no more.
+    Of a load that meets what is lighter only half of that, as of two alike: steps allow for no more. What
+    throws back has just what its points move as.
     """
+    if throws_back(table) and grip[row, EASE] > 0.0:
+        return 1.0 / grip[row, EASE]
     mass = table.mass[i] * table.mass[j] / (table.mass[i] + table.mass[j])
     if table.load[i] + table.load[i + 1] + table.load[j] + table.load[j + 1] > 0.0:
         mass = 0.5 * min(mass_at(table, i, grip[row, OWN]), mass_at(table, j, grip[row, OTHER]))
@@ -146,7 +159,10 @@ def reduced(table, grip, row, i, j):
 
 @small
 def spring_of(table, grip, row, i, j):
-    """Return stiffness pressed little, far and through [N/m], damping [N s/m], and the sum of radii [m]."""
+    """Return stiffness pressed little, far and through [N/m], damping [N s/m], and the sum of radii [m].
+
+    The damping is that along the surfaces; across it is `ratio` times that.
+    """
     soft, hard = (
         1.0 / (table.soft[i] + table.soft[j]),
         1.0 / (table.hard[i] + table.hard[j]),

@@ -10,9 +10,7 @@ line moves through another in a step that stands, whatever the solver did.
 from __future__ import annotations
 
 from ropewalk.core.jit import deferred, kernel, small
-from ropewalk.laws.pairs.brake import stopping
 from ropewalk.laws.pairs.distance import NEVER, comes_to, nearest, relative_way
-from ropewalk.laws.pairs.force import pressed
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.table import (
     APART,
@@ -31,7 +29,6 @@ from ropewalk.laws.pairs.table import (
     NORMAL,
     OTHER,
     OWN,
-    PUSH,
     REFUSED,
     ROUNDS,
     SECOND,
@@ -235,23 +232,3 @@ def meet_pairs(x, y, table, memory, tied, dt):
         return AGAIN
     count[ROUNDS], count[SEEN] = 0, 1
     return FINE
-
-
-@deferred("float64")
-def quickest_closing(v0, x, v, force, dt, table, memory):
-    """Return how quickly contacts stop what they hit in a step of `dt` [s] [1/s]; 0: none does.
-
-    Those that were open and are pressed at its end, `x` and `v`, and those that `v0` at its start closes so
-    fast that their drag stops it at once, under mean forces (3, n) [N].
-    """
-    grip, quickest = memory.grip, 0.0
-    for row in range(memory.tally[CONTACTS]):
-        i, j = memory.pair[row, 0], memory.pair[row, 1]
-        soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
-        quickest = max(quickest, stopping(v0, force, dt, memory, row, i, j, size))
-        if not grip[row, PUSH] > 0.0:
-            s, t = grip[row, OWN], grip[row, OTHER]
-            u, w = between(x, i, j, s, t), between(v, i, j, s, t)
-            push = pressed(grip, row, u, w, soft, hard, stop, damping, size)[0]
-            quickest = max(quickest, soft / damping) if push > 0.0 else quickest
-    return quickest
