@@ -29,9 +29,8 @@ TOUCHING = rw.load(HERE / "all_of_obstacles.toml")
 KNOTTED = rw.load(HERE / "all_of_knots.toml")
 SLIDING = rw.load(HERE / "all_of_slides.toml")
 TOLD = [k for k, body in enumerate(TOUCHING.obstacles) if not (body.spin and body.spin.free)]
-THROWING = apply_overrides(
-    TOUCHING, ["method=adaptive", *(f"obstacle[{k}].restitution=0.5" for k in TOLD)]
-)
+BACK = ["contact.restitution=0.5", *(f"obstacle[{k}].restitution=0.5" for k in TOLD)]
+THROWING = apply_overrides(TOUCHING, ["method=adaptive", *BACK])
 #: What has only one value by itself: the version, files (read when a scene is loaded), a rope's stuff,
 #: a plane, a curve of other numbers, nodes that are tied (others lie elsewhere), what turns freely.
 CURVES = "TableCurve", "PolynomialCurve", "NeoHookeanCurve", "ExponentialCurve"

@@ -62,8 +62,8 @@ CASES: dict[str, tuple[str, tuple[str, ...]]] = {
     "place that is none": (BAR.replace("-0.1", "nan"), ("obstacle[0].from[1]", "nan", "finite number (m)")),
     "two numbers": (BAR.replace("0, -0.1, 0", "0, 0"), ("obstacle[0].from", "[0, 0]", "[x, y, z] (m)")),
     "restitution": (
-        "[contact]\nrestitution = 0.5",
-        ("contact.restitution", "there is none here, but of obstacles", "leave it out"),
+        "[contact]\nrestitution = 0.5\ncompliance = 1e-4",
+        ("contact.restitution", "0.5", 'asks for run.method = "adaptive"', "or leave this out"),
     ),
     "of the ground": (
         "[ground]\nrestitution = 0.5",

@@ -84,7 +84,7 @@ def lower(
     """
     s = layout.segments if contact is not None else 0
     table = Pairs(
-        ratio=np.array([ratio_of(0.0 if contact is None else contact.restitution)]),
+        ratio=np.array([1.0 if contact is None else ratio_of(contact.restitution)]),
         friction=np.zeros((0, 0)) if contact is None else contact.frictions(ropes),
         skin=np.zeros(1),
         total=np.array([rope.total_mass for rope in ropes]),
@@ -114,11 +114,11 @@ def lower(
         table.radius[here] = 0.5 * rope.diameter
         if rope.segment_length > 0.0:
             table.lever[here] = 0.5 * rope.diameter / (rope.segment_length * math.sqrt(LEAN))
-        table.soft[here], table.hard[here] = 1.0 / own, 1.0 / far
-        table.stop[here] = 1.0 / (STOP * far)
+        soft, hard, stop = 1.0 / own, 1.0 / far, 1.0 / (STOP * far)
         if contact.compliance is not None:  # of the skin: how ropes stop each other stays as it is
-            table.soft[here] = table.hard[here] = 0.5 * contact.compliance
-            table.stop[here] = min(1.0 / (STOP * far), 0.5 * contact.compliance / STOP)
+            soft = hard = 0.5 * contact.compliance
+            stop = min(stop, soft / STOP)
+        table.soft[here], table.hard[here], table.stop[here] = soft, hard, stop
         table.rope[here] = number
         table.skip[here] = max(1, neighbours(rope))
         for load in rope.loads:

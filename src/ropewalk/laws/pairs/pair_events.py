@@ -5,8 +5,10 @@ rises through zero. One that was there as the step began is followed along the f
 the accelerations that they began with, and its own points, normal and offset. What has become a contact in
 the step is followed to where it is within reach, for before there is none, and then to where it is pressed.
 Steps end just behind that reach where its damper takes hold of it there, and else just before it is pressed.
-What takes over from a contact beside it begins nothing. Where ropes part no step ends but of contacts that
-throw back, just behind: what others have left of their speed is little, and so is the error.
+Segments that throw back are followed to where they are pressed, wherever they are nearest: beside each other
+at one end, they may meet at the other. What takes over from a contact beside it begins nothing. Where ropes
+part no step ends but of contacts that throw back, just behind: others have little of their speed left, and so
+little error.
 """
 
 from __future__ import annotations
@@ -35,6 +37,7 @@ from ropewalk.laws.pairs.table import (
 TRIES = 100  # for where a pair is within reach
 NEAR = 1e-3  # [1] of the reach: so near Newton's method takes over
 REFINED = 4  # so many times
+LOOKS = 20  # for where segments meet that throw back
 
 
 @small
@@ -168,7 +171,7 @@ def end_of_meeting(table, before, after, row, i, j, dt, tolerance):
     size = table.radius[i] + table.radius[j]
     soft = 1.0 / (table.soft[i] + table.soft[j])
     mass = reduced(table, after.memory.contact.grip, row, i, j)
-    lag = 2.0 * table.ratio[0] * math.sqrt(mass / soft)
+    lag = 2.0 * math.sqrt(mass / soft)
     at = comes_within(before, i, j, REACH * size, dt)
     if at == math.inf:
         return at
@@ -184,6 +187,46 @@ def end_of_meeting(table, before, after, row, i, j, dt, tolerance):
         if not rate < 0.0:
             return math.inf
     return at - 0.5 * near if near < at < dt else math.inf
+
+
+@kernel
+def meets(state, i, j, size, lag, dt):
+    """Return when segments that fly on so begin to be pressed, where they are nearest [s]; inf: not in `dt`.
+
+    They are where size - distance - lag * rate rises through zero.
+    """
+    low, high = 0.0, dt
+    distance, rate = apart_then(state, i, j, 0.0)
+    first = size - distance - lag * rate
+    distance, rate = apart_then(state, i, j, dt)
+    last = size - distance - lag * rate
+    if first > 0.0 or not last > 0.0:
+        return math.inf
+    for look in range(LOOKS):
+        at = low + (high - low) * (0.5 if look % 2 == 0 else first / (first - last))
+        distance, rate = apart_then(state, i, j, at)
+        here = size - distance - lag * rate
+        if here > 0.0:
+            high, last = at, here
+        else:
+            low, first = at, here
+    return low - (high - low) * first / (last - first)
+
+
+@kernel
+def end_of_hit(table, before, after, row, i, j, dt, tolerance):
+    """Return where a step is to end [s] in which segments have met that throw back; inf: where it does."""
+    last = after.memory.contact
+    soft, _, _, damping, size = spring_of(table, last.grip, row, i, j)
+    presses = last.grip[row, PUSH] > 0.0
+    if not presses and not pressed_by(after.x, after.v, table, last, row, i, j) > 0.0:
+        return math.inf
+    at = meets(before, i, j, size, table.ratio[0] * damping / soft, dt)
+    if at == math.inf:
+        return at
+    rate = apart_then(before, i, j, at)[1]
+    near = KINK * tolerance / max(-rate, 1e-300)
+    return at - 0.5 * near if near < at < dt - near else math.inf
 
 
 @kernel
@@ -208,6 +251,12 @@ def pair_events(table, before, after, dt, tolerance):
     for row in range(last.tally[CONTACTS]):
         i, j = last.pair[row, 0], last.pair[row, 1]
         old = row_of(first, i, j)
+        if throws_back(table) and (old < 0 or not first.grip[old, PUSH] > 0.0):
+            if old >= 0 or not takes_over(before, after, i, j):
+                at = end_of_hit(table, before, after, row, i, j, dt, tolerance)
+                changes += 1 if at < math.inf or last.grip[row, PUSH] > 0.0 else 0
+                end = min(end, at)
+            continue
         if old < 0:
             if not takes_over(before, after, i, j):
                 changes += 1
