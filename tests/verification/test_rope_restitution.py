@@ -140,7 +140,8 @@ def test_what_hits_off_its_middle_gets_a_rigid_bodys_impulse(
     if not held:
         turned = [np.cross(x[k], ends[:, None] * v[k]).sum(axis=0) for k in (0, -1)]
         assert np.abs(gained).max() < 1e-12 * ends.sum() * SPEED
-        assert turned[1] == pytest.approx(turned[0], abs=2e-6 * LENGTH * LINK * SPEED)
+        off = 1e-4 if "slides" in place else 2e-6  # normals lag behind by a step
+        assert turned[1] == pytest.approx(turned[0], abs=off * LENGTH * LINK * SPEED)
 
 
 @pytest.mark.parametrize("share", [0.3, 1.0])
@@ -175,8 +176,10 @@ def test_what_is_near_at_one_end_and_hits_with_the_other_counts(rise: float, sha
     anchors = [*scene.anchors, Anchor(rope="swings", node=0)]
     run = scene.run.replace(duration=scene.run.duration + rise / SPEED)
     result = rw.simulate(scene.replace(anchors=anchors, run=run))
-    speeds = result.rope("swings").velocities[:, 1, 1]
-    assert speeds[-1] / -speeds.min() == pytest.approx(share, abs=3e-3)
+    arm = result.rope("swings").positions[:, 1] - (-0.08, near, 0.0)
+    turns = np.cross(arm, result.rope("swings").velocities[:, 1])[:, 2]
+    before = turns[(turns < 0.0) & (arm[:, 1] > 0.0)][-1]  # its far end was the higher one still
+    assert turns[-1] / -before == pytest.approx(share, abs=1.5e-3)
 
 
 @pytest.mark.parametrize("share", [0.3, 0.8])
@@ -197,14 +200,17 @@ def test_what_a_joint_ties_counts(share: float) -> None:
     assert got == pytest.approx((1.0 + share) * SPEED / ease, rel=2e-3)
 
 
-@pytest.mark.parametrize("share", SHARES)
 @pytest.mark.parametrize("deep", [30, 1000])
-def test_thirty_tolerances_are_deep_enough(share: float, deep: int) -> None:
-    scene, _, _ = crossed(share, s=0.3, t=0.6)
-    mass = crossed(share, s=0.3, t=0.6)[1]
-    v = rw.simulate(scene.replace(**{"run.tolerance": DEEP / deep})).velocities
-    got = 0.5 * LINK * (v[-1] - v[0])[2:, 1].sum()
-    assert got / (mass * SPEED) - 1.0 == pytest.approx(share, abs=5e-3)
+@pytest.mark.parametrize(
+    "place", [{}, {"s": 0.2, "t": 0.6, "held": True}, {"s": 0.1, "t": 0.9}], ids=str
+)
+def test_thirty_tolerances_are_deep_enough(place: dict[str, Any], deep: int) -> None:
+    """To 0.002; to 0.005 where no step ended as they parted."""
+    for share in (0.2, 0.4, 0.6, 0.8, 0.9, 1.0):
+        scene, mass, _ = crossed(share, **place)
+        v = rw.simulate(scene.replace(**{"run.tolerance": DEEP / deep})).velocities
+        got = 0.5 * LINK * (v[-1] - v[0])[2:, 1].sum()
+        assert got / (mass * SPEED) - 1.0 == pytest.approx(share, abs=1.8e-3)
 
 
 @pytest.mark.parametrize("share", [0.5, 0.8, 1.0])

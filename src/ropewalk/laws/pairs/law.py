@@ -119,8 +119,7 @@ def lower(
             soft = hard = 0.5 * contact.compliance
             stop = min(stop, soft / STOP)
         table.soft[here], table.hard[here], table.stop[here] = soft, hard, stop
-        table.rope[here] = number
-        table.skip[here] = max(1, neighbours(rope))
+        table.rope[here], table.skip[here] = number, max(1, neighbours(rope))
         for load in rope.loads:
             table.load[layout.node(load.node, rope.name)] += load.mass
         if pushes(rope):
