@@ -318,6 +318,10 @@ def test_reactions_show_components_and_magnitude(three_anchors, many_ropes):
         most.get_ydata(), three_anchors.read("greatest_reactions", 0, three_anchors.frames)[:, 0]
     )
     assert most.get_drawstyle() == "steps-pre"
+    opposite = plots.reactions(three_anchors, on_anchors=True)
+    np.testing.assert_array_equal(line(opposite.axes[0], "y").get_ydata(), 0.0 - left[:, 1])
+    assert figure._supxlabel.get_text().startswith("Forces of the anchors on the ropes.")
+    assert opposite._supxlabel.get_text().startswith("Forces of the ropes on the anchors.")
     together = plots.reactions(many_ropes)
     assert len(together.axes) == 1
     assert len([a for a in together.axes[0].lines if not a.get_label().startswith("_")]) == 8

@@ -34,16 +34,21 @@ _LIGHT = {"color": "0.6", "linewidth": 0.8, "zorder": 1.5}
 
 
 @styled
-def reactions(result: Result) -> Figure:
+def reactions(result: Result, *, on_anchors: bool = False) -> Figure:
     """Draw the force of each anchor on its rope over time: components and magnitude [N].
+
+    With `on_anchors` that of the rope on the anchor, the opposite one.
 
     The light curve is the largest magnitude of all steps since the frame before, which limits are chosen by,
     so that no peak between frames is missed.
     """
     good = good_frames(result)
     names = [escape(name) for name in result.layout.anchor_names]
-    forces = np.asarray(result.reactions)
+    forces = 0.0 - result.reactions if on_anchors else np.asarray(result.reactions)
     notes = broken_note(result, good)
+    if names:
+        whose = ("ropes", "anchors") if on_anchors else ("anchors", "ropes")
+        notes.insert(0, "Forces of the {} on the {}.".format(*whose))
     if not names:
         figure = new_figure(7.2, 2.4)
         figure.add_subplot().text(0.5, 0.5, "no anchors", ha="center", color=GREY)
@@ -67,9 +72,10 @@ def reactions(result: Result) -> Figure:
             notes.append("Light steps: the largest of all steps since the frame before.")
         if len(names) > _LINES:
             notes.append(f"The {_LINES} largest of {len(names)} anchors are shown.")
-    what = (
-        f"reaction of anchor '{result.layout.anchor_names[0]}'" if len(names) == 1 else "reactions"
-    )
+    what = "forces on the anchors" if on_anchors else "reactions"
+    if len(names) == 1:
+        of = "force on" if on_anchors else "reaction of"
+        what = f"{of} anchor '{result.layout.anchor_names[0]}'"
     set_title(figure, f"{result.scene.name}: {what}", describe(result))
     set_note(figure, notes)
     return figure

@@ -81,9 +81,12 @@ class Plots:
         """
         return self._draw("phase", node, axis)
 
-    def reactions(self) -> Figure:
-        """Draw the force of each anchor on its rope [N] against time: components and size."""
-        return self._draw("reactions")
+    def reactions(self, *, on_anchors: bool = False) -> Figure:
+        """Draw the force of each anchor on its rope [N] against time: components and size.
+
+        With `on_anchors` that of the rope on the anchor, the opposite one, as sheets have it.
+        """
+        return self._draw("reactions", on_anchors=on_anchors)
 
     def forces(self, *, plane: str | None = None) -> Figure:
         """Draw the last frame: shape, anchors' forces [N], and the tension [N] along the ropes.

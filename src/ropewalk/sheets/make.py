@@ -135,7 +135,8 @@ def _courses(result: Result) -> Section:
         picture(result.plot.tension(), "Tension over time and along the ropes"),
     ]
     if result.layout.anchor_names:
-        items.append(picture(result.plot.reactions(), "Forces of the anchors over time"))
+        figure = result.plot.reactions(on_anchors=True)  # as in the tables
+        items.append(picture(figure, "Forces of the ropes on the anchors over time"))
     if result.facts.ledger:
         items.append(picture(result.plot.energy(), "Energies over time"))
     return Section("Figures of the run", tuple(items))
