@@ -13,6 +13,7 @@ from ropewalk.analysis.apart import Torn, jerks, torn_apart
 from ropewalk.analysis.bending_notes import bending_warnings
 from ropewalk.analysis.cost import run_time, seconds_per_step, touches
 from ropewalk.analysis.facet_notes import facet_warnings
+from ropewalk.analysis.gathered import gathered
 from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.knot_notes import knot_warnings
 from ropewalk.analysis.near_starts import near_start_warnings
@@ -138,7 +139,12 @@ class Check:
         for rope in self.ropes:
             text += rope.lines()
             spans = [span for span in self.statics.spans if span.rope == rope.name and rope.rests]
-            text += [f"  at rest: {span.words}" for span in spans]
+            text += [f"  at rest: {span.words}" for span in spans if not span.single]
+            if single := sum(span.single for span in spans):
+                each = "" if single == 1 else " each"
+                text.append(
+                    f"  at rest: {counted(single, 'span')} of one segment{each}, without sag"
+                )
             wraps = [wrap for wrap in self.statics.wraps if wrap.rope == rope.name and rope.rests]
             text += [f"  at rest: {wrap.words}" for wrap in wraps]
         text += [f"at rest: {touch}" for touch in self.statics.touches if self._rests]
@@ -231,7 +237,7 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         run_time=run_time(model, cost * plan.steps, measured),
         warnings=(
             *(*map(str, torn), *overlong, *jerks(model)),
-            *_warnings(model, found, statics, ropes),
+            *gathered(_warnings(model, found, statics, ropes), (rope.name for rope in ropes)),
         ),
         highest_at_rest=_highest_at_rest(model, statics) if measure else None,
         tolerance=plan.tolerance,

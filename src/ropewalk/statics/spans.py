@@ -73,6 +73,11 @@ class RestSpan:
         return straight and not self.stands and not self.lies
 
     @property
+    def single(self) -> bool:
+        """Whether it is a span of one segment, which is straight however it hangs."""
+        return self.kind == "span" and abs(self.last - self.first) == 1
+
+    @property
     def _tail(self) -> str:
         if self.straight:
             return f"hang free, {self.distance:.4g} m long"
@@ -83,6 +88,8 @@ class RestSpan:
     @property
     def hangs(self) -> str:
         """How far it sags below the line between its ends or, if that is more, rises above it."""
+        if self.single:
+            return "one segment without sag"
         floats = self.rise > self.sag
         along = " along gravity" if self.windy else ""
         return (f"rise {self.rise:.4g} m" if floats else f"sag {self.sag:.4g} m") + along
@@ -97,6 +104,8 @@ class RestSpan:
         """The sag as an entry of a table's column; of a rope that floats up it says so."""
         if self.kind == "tail":
             return ""
+        if self.single:
+            return "one segment"
         return (
             f"rises {self.rise:.{digits}g} m"
             if self.rise > self.sag
