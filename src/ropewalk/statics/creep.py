@@ -77,6 +77,7 @@ def creep(
     begun = roll(balance, Found(x, tension, math.inf, 0.0, 0), see)
     x, tension, spent = begun.x, begun.tension, begun.steps
     way, share, refused = 0.0, 0.1, 0
+    used_up = False
     for count in range(_MORE if balance.coupled.acts else _STEPS):
         step = _dragged(balance, x, tension, drag)
         spent += step.steps
@@ -100,8 +101,10 @@ def creep(
             if last.at_rest:
                 return Crept(last._replace(steps=spent), goes_on=False)
         drag, share = max(share * drag, _LEAST * unit), max(0.1, 0.7 * share)
+    else:  # slides in steps as short as what is thin asks for
+        used_up = not refused and _largest(balance, x - begun.x) > _AWAY * balance.length
     error, allowed = balance.error(x, tension), balance.allowed(x, tension)
-    still = way if spent > patience and way > _AWAY * balance.length else 0.0
+    still = way if used_up or (spent > patience and way > _AWAY * balance.length) else 0.0
     return Crept(Found(x, tension, error, allowed, spent), goes_on=way > longest, slid=still)
 
 

@@ -220,6 +220,7 @@ def _find_by_creeping(model: Model, balance: Balance, *, patient: bool) -> Found
     patience = _PATIENCE if patient else _CHECKED
     crept = creep(balance, x, least, patience, watch.see, watch.passes)
     balance.goes_on, balance.slid = crept.goes_on, crept.slid
+    balance.patient = patient or crept.found.steps <= patience  # else settling takes as many steps
     if watch.across is not None and not (crept.found.at_rest or crept.goes_on or crept.slid):
         balance.speared = watch.across.words(model)
         return crept.found._replace(error=np.inf)

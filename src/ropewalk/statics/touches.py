@@ -20,6 +20,7 @@ from ropewalk.statics.coupled import bound_there
 from ropewalk.words.prefixes import prefixed
 
 _ROUNDING = 1e-6  # of a tension [1]
+_NOTHING = 0.05  # [%] of what friction can carry that is not told
 _CENT = 100.0
 OFF = 0.01  # of a segment: what hangs farther off its rope is told [1]
 
@@ -66,7 +67,8 @@ class Touch:
             said += f", the sum of {self.contacts} contacts"
         if self.friction == 0.0:
             return said
-        said += f"; contacts take up to {_CENT * self.use:.3g} % of what friction can carry"
+        if _CENT * self.use >= _NOTHING:
+            said += f"; contacts take up to {_CENT * self.use:.3g} % of what friction can carry"
         for side in (self.strand, self.other):
             if not math.isnan(side.most):
                 pulls = " and ".join(prefixed(pull, "N", 4) for pull in (side.before, side.after))

@@ -23,6 +23,7 @@ MANY = (
 )
 _JAMS = 1e-9  # share of the pull that moves the rope on, below which it jams [1]
 _ROUNDING = 1e-6  # of a tension [1]
+_NOTHING = 0.05  # [%] of what friction can carry that is not told
 _LEVEL = 1e-3  # [rad] a rope that turns by less lies straight
 
 
@@ -45,6 +46,9 @@ class Wrap:
     backward: bool  # whether they are of the tension before
     use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
     friction: float  # coefficient of both [1]
+    taken: float = (
+        0.0  # sum of |R_t| over that of mu R_n [1]: the ends of what lies may slip by themselves
+    )
     coarse: CoarseTurn = FINE  # how far the ratio of tensions errs
 
     @property
@@ -83,10 +87,21 @@ class Wrap:
         if self.friction == 0.0:
             return said
         if math.isnan(self.most):
-            return f"{said}; its contacts take up to {100.0 * self.use:.3g} % of what friction can carry"
+            return said + self._taken
         end = "before" if self.backward else "after"
         most = "any tension" if math.isinf(self.most) else prefixed(self.most, "N", 4)
         return f"{said}; friction holds {prefixed(self.least, 'N', 4)} to {most} {end}"
+
+    @property
+    def _taken(self) -> str:
+        """How much of what friction can carry it carries, in words; "" where that is nothing."""
+        if 100.0 * self.use < _NOTHING:
+            return ""
+        one = f"{100.0 * self.use:.3g} %"
+        if self.nodes == 1:
+            return f"; its contact takes {one} of what friction can carry"
+        said = f"; its contacts take {100.0 * self.taken:.3g} % of what friction can carry together"
+        return f"{said}, single ones up to {one}"
 
     def __str__(self) -> str:
         return f"rope {self.rope!r}: {self.words}"
@@ -229,8 +244,15 @@ def _wrap(
         backward=back,
         use=float(contacts.use[rows].max()),
         friction=friction,
+        taken=_taken(contacts, rows),
         coarse=coarse_turn(table, contacts, rows, x, friction, made.segment_length),
     )
+
+
+def _taken(contacts: Contacts, rows: Ints) -> float:
+    """Return which share [1] of what friction can carry these contacts do together; 0 without any."""
+    most = float((contacts.friction[rows] * contacts.push[rows]).sum())
+    return float(np.linalg.norm(contacts.rub[rows], axis=1).sum()) / most if most > 0.0 else 0.0
 
 
 def _allowed(
