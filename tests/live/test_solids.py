@@ -206,19 +206,19 @@ def test_a_joint_tells_its_nodes_in_the_arrays() -> None:
 def test_a_joint_is_cut_without_a_jump_and_tied_again_by_undo() -> None:
     session, twin = Session(preset("three-leg-sling")), Session(preset("three-leg-sling"))
     for one in (session, twin):
-        one.advance(20)
+        one.advance(100)
     nodes = describe.layout(session)["variants"][0]["joints"][0]["nodes"]
     before = [session.main.simulation.positions.copy(), session.main.simulation.velocities.copy()]
     do(session, "untie", joint="ring")
     after = [session.main.simulation.positions, session.main.simulation.velocities]
     assert np.array_equal(before, after)
     assert describe.layout(session)["variants"][0]["joints"] == []
-    session.advance(20)
+    session.advance(100)
     assert np.ptp(session.main.simulation.positions[nodes], axis=0).max() > 0.01
     assert session.undo.word == "the cut of a joint"
     do(session, "undo")
     for one in (session, twin):
-        one.advance(20)
+        one.advance(100)
     assert np.array_equal(session.main.simulation.positions, twin.main.simulation.positions)
     assert np.ptp(session.main.simulation.positions[nodes], axis=0).max() < 1e-9
     assert "no such joint; there is ring" in refused(session, "untie", joint="bow")
