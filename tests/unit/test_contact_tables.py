@@ -346,6 +346,8 @@ def test_of_several_obstacles_at_a_node_slipping_shows_first(
         rub=np.stack([slips, unknown, unknown, sticks]),
         friction=np.full(count, 0.3),
         slip=np.array([[1.0, 0, 0], *[[0.0, 0, 0]] * 3]),
+        cone=np.full(count, 0.3),
+        off=np.zeros(count),
     )
     monkeypatch.setattr(contacts, "each_frame", lambda result, frames: [(0, made)])
     modes = contacts.contact_modes(result, [0])[0]

@@ -57,7 +57,7 @@ def wrap_of(scene: Scene) -> Wrap:
 def test_what_holds_a_rope_across_does_not_hold_it_along(degrees: float) -> None:
     """At 16.2 of the 16.7 degrees of atan(mu) 3.97 to 24.29 N were said to hold beside 9.82 N."""
     beta = math.radians(degrees)
-    scene = over_a_ball(beta)
+    scene = over_a_ball(beta, nodes=80)
     wrap, most = wrap_of(scene), holds(beta)
     assert wrap.angle == pytest.approx(math.pi * math.cos(beta), rel=1e-3)
     assert wrap.most / wrap.before == pytest.approx(most, rel=0.02)

@@ -16,8 +16,9 @@ import ropewalk as rw
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats, flatten
 from ropewalk.core.status import OK
-from ropewalk.laws.contact import contact_forces, on_polygon
+from ropewalk.laws.contact import contact_forces
 from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.polygon import on_polygon, tilted
 from ropewalk.laws.tangent import law_band
 from ropewalk.lowering import build
 from ropewalk.lowering.obstacle_checks import touches
@@ -191,6 +192,19 @@ def test_a_nodes_friction_is_that_of_its_arc(turn: float) -> None:
     for mu in (0.2, 0.5, 0.9):
         slope = on_polygon(mu, turn) * math.tan(0.5 * turn)
         assert (1.0 + slope) / (1.0 - slope) == pytest.approx(math.exp(mu * turn), rel=1e-12)
+
+
+@pytest.mark.parametrize(("rise", "fall"), [(0.0, 0.1), (0.05, 0.05), (0.1, -0.06), (-0.02, 0.1)])
+def test_off_the_middle_of_its_turn_it_is_so_too(rise: float, fall: float) -> None:
+    """Whichever way tension grows; without, it errs by the turn times the angle off the middle."""
+    mu, turn, off = 0.3, rise + fall, (rise - fall) / 2.0
+    middle = on_polygon(mu, turn)
+    for ahead in (1.0, -1.0):
+        for counts, within in ((off, 1e-12), (0.0, 1.2 * turn * abs(off) + 1e-12)):
+            q = ahead * math.atan(tilted(middle, counts, ahead))
+            grows = math.log(math.cos(rise - q) / math.cos(fall + q))
+            assert abs(grows - ahead * mu * turn) <= within
+            assert counts != 0.0 or off == 0.0 or abs(grows - ahead * mu * turn) > 0.5 * within
 
 
 @pytest.mark.parametrize("share", [0.0, 0.4])

@@ -3,25 +3,21 @@
 
 import { closing } from "./closing.js";
 import { HARD, SKIN, gripOf, squeeze } from "./grips.js";
+import { MOVES, pullsAhead, tilted, turnedBy } from "./polygon.js";
 import { probe } from "./solids.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {import("./solids.js").Post} Post */
 /** @typedef {import("./grips.js").Line} Line */
 /** @typedef {import("./grips.js").Grip & {post: Post, friction: number, spring: Float64Array[], slide: Float64Array,
- *   push: Float64Array, k: Float64Array, c: Float64Array, near: Uint8Array}} Hold what a post is to all nodes: the
- *   friction spring's force [N], the coefficient where the node turns, what presses [N], the springs' stiffness [N/m],
- *   the damper [N s/m], whether a step may touch it */
+ *   grows: Float64Array, push: Float64Array, k: Float64Array, c: Float64Array, near: Uint8Array}} Hold what a post is
+ *   to all nodes: the friction spring's force [N], the coefficient where the node turns and its rate [1/s], what
+ *   presses [N], the springs' stiffness [N/m], the damper [N s/m], whether a step may touch it */
 
 const DEEPEST = 0.75; // depth over the thinnest from which it counts as going through
 
 /** @param {number} n */
 const rows = (n) => [new Float64Array(n), new Float64Array(n), new Float64Array(n)];
-
-/** The coefficient with which a node that turns acts as its arc would. @param {number} friction @param {number} turn
- * [rad] */
-const onPolygon = (friction, turn) =>
-  turn < 1e-6 ? friction : Math.tanh(0.5 * friction * turn) / Math.tan(0.5 * turn);
 
 export class Contact {
   /** @param {Rope} rope @param {Post[]} posts @param {Line[]} lines */
@@ -49,6 +45,7 @@ export class Contact {
       friction: post.friction,
       spring: rows(n),
       slide: new Float64Array(n),
+      grows: new Float64Array(n),
       push: new Float64Array(n),
       k: new Float64Array(n),
       c: new Float64Array(n),
@@ -67,7 +64,7 @@ export class Contact {
     }
     this.work = 0;
     for (const [k, row] of this.rope.x.entries()) this.place[k].set(row);
-    this.#keep(rows(this.rope.n), 0, this.rope.n - 1);
+    this.#keep(rows(this.rope.n), 0, this.rope.n - 1, 0);
     this.first = this.stored();
   }
 
@@ -94,28 +91,45 @@ export class Contact {
 
   /** Let the coefficients of friction hold from now on. */
   #turn() {
-    const { x, n } = this.rope;
+    const { x, v, n } = this.rope;
     for (const hold of this.holds)
       for (let i = 0; i < n; i++) {
         probe(hold.post, x[0][i], x[1][i], x[2][i], this.found);
-        const [, nx, ny, nz] = this.found;
-        hold.slide[i] = onPolygon(hold.friction, this.turn(i, nx, ny, nz));
+        this.#slide(hold, i, v, 0);
       }
   }
 
+  /** Keep a node's coefficient, and its rate by what the next `dt` [s] bring; `found` is known. @param {Hold} hold
+   * @param {number} i @param {Float64Array[]} v @param {number} dt */
+  #slide(hold, i, v, dt) {
+    const { rope, found } = this;
+    const { x } = rope;
+    const turned = turnedBy(rope, v, hold.post, hold.friction, i, found, 0);
+    hold.slide[i] = turned.middle;
+    hold.grows[i] = 0;
+    if (turned.off === 0) return;
+    const ahead = pullsAhead(x, i, found, hold.spring);
+    hold.slide[i] = tilted(turned, ahead);
+    if (ahead === 0 || !(Math.abs(turned.off) > MOVES) || !(dt > 0)) return;
+    probe(hold.post, x[0][i] + dt * v[0][i], x[1][i] + dt * v[1][i], x[2][i] + dt * v[2][i], found);
+    const later = turnedBy(rope, v, hold.post, hold.friction, i, found, dt);
+    hold.grows[i] = (tilted(later, ahead) - hold.slide[i]) / dt;
+  }
+
   /** Add to the nodes' accelerations [m/s^2] what the posts do to them.
-   * @param {Float64Array[]} x @param {Float64Array[]} v @param {Float64Array[]} a */
-  accelerate(x, v, a) {
+   * @param {Float64Array[]} x @param {Float64Array[]} v @param {Float64Array[]} a @param {number} since what is
+   * remembered [s] */
+  accelerate(x, v, a, since) {
     const { first, last, inverse } = this.rope;
     for (const row of this.force) row.fill(0, first, last + 1);
-    for (const hold of this.holds) this.#press(hold, x, v, first, last);
+    for (const hold of this.holds) this.#press(hold, x, v, since, first, last);
     for (let k = 0; k < 3; k++)
       for (let i = first; i <= last; i++) a[k][i] += this.force[k][i] * inverse[i];
   }
 
-  /** @param {Hold} hold @param {Float64Array[]} x @param {Float64Array[]} v @param {number} first
-   * @param {number} last */
-  #press(hold, x, v, first, last) {
+  /** @param {Hold} hold @param {Float64Array[]} x @param {Float64Array[]} v @param {number} since
+   * @param {number} first @param {number} last */
+  #press(hold, x, v, since, first, last) {
     const [x0, x1, x2] = x;
     const [v0, v1, v2] = v;
     const [f0, f1, f2] = this.force;
@@ -141,7 +155,7 @@ export class Contact {
       let sx = 0;
       let sy = 0;
       let sz = 0;
-      const bound = hold.slide[i] * push;
+      const bound = Math.max(hold.slide[i] + hold.grows[i] * since, 0) * push;
       if (bound > 0) {
         sx = s0[i] - k * (x0[i] - c0 - (p0[i] - c0)) - c * v0[i];
         sy = s1[i] - k * (x1[i] - c1 - (p1[i] - c1)) - c * v1[i];
@@ -186,11 +200,11 @@ export class Contact {
     for (let k = 0; k < 3; k++)
       for (let i = first; i <= last; i++)
         this.work += 0.5 * dt * this.mean[k][i] * (this.before[k][i] + v[k][i]);
-    this.#keep(v, first, last);
+    this.#keep(v, first, last, dt);
   }
 
-  /** @param {Float64Array[]} v @param {number} first @param {number} last */
-  #keep(v, first, last) {
+  /** @param {Float64Array[]} v @param {number} first @param {number} last @param {number} dt */
+  #keep(v, first, last, dt) {
     const { x } = this.rope;
     for (const hold of this.holds) {
       for (let i = first; i <= last; i++) {
@@ -198,7 +212,7 @@ export class Contact {
         const speed = Math.hypot(v[0][i], v[1][i], v[2][i]);
         const brakes = (hold.damp[i] / hold.stiff[i]) * speed; // from so far off the damper takes hold
         const near = this.found[0] < this.reach[i] + brakes;
-        if (near || hold.near[i]) this.#remember(hold, i, x, v);
+        if (near || hold.near[i]) this.#remember(hold, i, x, v, dt);
         hold.near[i] = near ? 1 : 0;
       }
     }
@@ -206,8 +220,8 @@ export class Contact {
   }
 
   /** Keep what a post carries at a node, how stiff it is there, and the coefficient of friction; `found` is known.
-   * @param {Hold} hold @param {number} i @param {Float64Array[]} x @param {Float64Array[]} v */
-  #remember(hold, i, x, v) {
+   * @param {Hold} hold @param {number} i @param {Float64Array[]} x @param {Float64Array[]} v @param {number} dt */
+  #remember(hold, i, x, v, dt) {
     const { spring, stiff, damp, hard } = hold;
     const { found, squeezed, place } = this;
     const nx = found[1];
@@ -224,7 +238,7 @@ export class Contact {
     hold.k[i] = deep ? squeezed[0] / depth : stiff[i];
     hold.c[i] = deep ? damp[i] * Math.max(1, HARD * Math.sqrt(hold.k[i] / stiff[i])) : damp[i];
     const softer = hold.k[i] < k ? Math.sqrt(hold.k[i] / k) : 1; // it keeps what it has stored
-    const bound = hold.slide[i] * hold.push[i];
+    const bound = Math.max(hold.slide[i] + hold.grows[i] * dt, 0) * hold.push[i];
     let sx = 0;
     let sy = 0;
     let sz = 0;
@@ -248,27 +262,7 @@ export class Contact {
     spring[0][i] = sx;
     spring[1][i] = sy;
     spring[2][i] = sz;
-    hold.slide[i] = onPolygon(hold.friction, this.turn(i, nx, ny, nz));
-  }
-
-  /** By how much the rope turns at a node towards a surface [rad]. @param {number} i @param {number} nx the surface's
-   * normal @param {number} ny @param {number} nz */
-  turn(i, nx, ny, nz) {
-    const { n, x, stiffness } = this.rope;
-    if (i === 0 || i === n - 1 || stiffness[i - 1] === 0 || stiffness[i] === 0) return 0;
-    const ax = x[0][i] - x[0][i - 1];
-    const ay = x[1][i] - x[1][i - 1];
-    const az = x[2][i] - x[2][i - 1];
-    const bx = x[0][i + 1] - x[0][i];
-    const by = x[1][i + 1] - x[1][i];
-    const bz = x[2][i + 1] - x[2][i];
-    const a = Math.sqrt(ax * ax + ay * ay + az * az);
-    const b = Math.sqrt(bx * bx + by * by + bz * bz);
-    if (!(a > 0 && b > 0)) return 0;
-    const before = (nx * ax + ny * ay + nz * az) / a;
-    const after = (nx * bx + ny * by + nz * bz) / b;
-    const rise = (/** @type {number} */ share) => Math.asin(Math.min(Math.max(share, -1), 1));
-    return Math.max(rise(before) - rise(after), 0);
+    this.#slide(hold, i, v, dt);
   }
 
   /** Whether a free node is so deep in a post that it may go through. */

@@ -64,8 +64,8 @@ export class Rope {
   }
 
   /** Write every node's acceleration [m/s^2]. @param {Float64Array[]} x @param {Float64Array[]} v
-   * @param {Float64Array[]} a */
-  accelerate(x, v, a) {
+   * @param {Float64Array[]} a @param {number} [since] the last step [s] */
+  accelerate(x, v, a, since = 0) {
     const [x0, x1, x2] = x;
     const [v0, v1, v2] = v;
     const [e0, e1, e2] = this.pull;
@@ -99,7 +99,7 @@ export class Rope {
         out[i] = (e[i + 1] + c[i + 1] - (e[i] + c[i])) * w + (w > 0 ? g : 0);
       }
     }
-    this.contact?.accelerate(x, v, a);
+    this.contact?.accelerate(x, v, a, since);
   }
 
   /** Whether an anchor holds one of the nodes that are stepped at present.
@@ -266,7 +266,7 @@ export class Rope {
       }
     }
     this.place(after, this.x, this.vs);
-    this.accelerate(this.x, this.vs, this.a);
+    this.accelerate(this.x, this.vs, this.a, dt);
     this.contact?.weigh(0.5);
     for (let k = 0; k < 3; k++) {
       const [v, a, old] = [this.v[k], this.a[k], this.old[k]];
@@ -292,7 +292,7 @@ export class Rope {
         }
       }
       if (s) this.place(s === 3 ? after : this.time + c, xs, vs);
-      this.accelerate(xs, vs, a);
+      this.accelerate(xs, vs, a, c);
       this.contact?.weigh(weights[s]);
       for (let k = 0; k < 3; k++) {
         for (let i = this.first; i <= this.last; i++) {

@@ -1,6 +1,7 @@
 // What a class reads of a post: the tensions on both sides of it, their ratio, and how far round it the rope goes.
 
 import { LITTLE, told } from "./measures.js";
+import { turnAt } from "./polygon.js";
 import { probe } from "./solids.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
@@ -26,7 +27,7 @@ export function readPosts(rope, tension) {
       if (begin <= first || end >= last) continue; // an end lies on it, or nothing does
       for (let i = begin; i <= end; i++) {
         probe(hold.post, rope.x[0][i], rope.x[1][i], rope.x[2][i], found);
-        angle += rope.contact?.turn(i, found[1], found[2], found[3]) ?? 0;
+        angle += turnAt(rope, i, found);
       }
       if (!(angle > (best?.angle ?? 0))) continue;
       const sides = /** @type {[number, number]} */ ([tension[begin - 1], tension[end]]);

@@ -5,7 +5,7 @@ friction spring's force then, P = I - n n^T and R the force of a squeeze, see `h
     R_n = max(0, R(-g) - z c n.v)                         a damper that never pulls, see `closing`
     q   = P (R' - k_t D) - c P v
     R_t = q            where |q| <= mu R_n                it sticks
-          mu R_n q/|q| elsewhere                          it slips
+          mu R_n q/|q| elsewhere                          it slips; mu of a node, see `polygon`
 What is kept to the next step is the spring's part, P (R' - k_t D), cut to mu R_n. A contact that sticks does
 not creep: its memory is a force. A node that an anchor or a drum holds is pushed by nothing: it is where it
 is held, see `held_nodes`. A body that moves is looked at in its own frame, at the time of the forces.
@@ -13,11 +13,6 @@ k_t is R over the depth at the last step, k of what is not pressed far. With c =
 that hits a surface on its own stays there; with less it leaves with a part of its speed, see `rebound`.
 Sources: Cundall & Strack 1979, Geotechnique 29:47 (friction with memory); Simo & Hughes, Computational
 Inelasticity, 1998, ch. 2 (return mapping).
-
-Where nodes lie round a surface and turn towards it by the angle a each, a polygon's tensions grow by more
-than exp(mu a). So mu is replaced by
-    tanh(mu a / 2) / tan(a / 2),
-with which two equal chords have exactly T2 / T1 = (1 + mu' tan(a/2)) / (1 - mu' tan(a/2)) = exp(mu a).
 """
 
 from __future__ import annotations
@@ -29,7 +24,6 @@ from ropewalk.laws.closing import closing
 from ropewalk.laws.contact_books import PRESSED, RUBBED, note_way, put_apart
 from ropewalk.laws.contact_frame import (
     DAMP,
-    GRIP,
     MOVES,
     OFTENER,
     PUSH,
@@ -37,11 +31,13 @@ from ropewalk.laws.contact_frame import (
     STILL,
     STOPS,
     cut,
+    friction_at,
     spring_pull,
 )
 from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
+from ropewalk.laws.polygon import keep_friction
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
@@ -55,6 +51,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     """
     first, last = max(lo, 0), min(hi, x.shape[1])  # with no index below 0 loops vectorise
     place, held, apart = memory.place, memory.held, force.shape[0] > 3
+    since = now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     for row in range(force.shape[0]):
         for i in range(first, last):
@@ -83,7 +80,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             if not push > 0.0:
                 continue
             sx, sy, sz = 0.0, 0.0, 0.0
-            bound = grip[GRIP, i] * push
+            bound = friction_at(grip, i, since) * push
             if bound > 0.0:
                 vx, vy, vz = (
                     vx - (wy * oz - wz * oy),
@@ -135,7 +132,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             if push > 0.0 and grip[PUSH, i] == 0.0:
                 closed += 1.0
             grip[PUSH, i] = max(push, 0.0)
-            bound = grip[GRIP, i] * grip[PUSH, i]
+            bound = friction_at(grip, i, dt) * grip[PUSH, i]
             note_way(obstacles, memory, o, i, to, then, angle, px, py, pz, g, nx, ny, nz)
             sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
@@ -156,8 +153,10 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
                 power = rx * (lx + gx) + ry * (ly + gy) + rz * (lz + gz)
                 memory.given[i] += max(dt * power, 0.0)
-            turn = turn_towards(x, i, nx, ny, nz, stiffness)
-            grip[GRIP, i] = on_polygon(obstacles.friction[o, i], turn)
+            gx, gy, gz = dt * (v[0, i] - ux), dt * (v[1, i] - uy), dt * (v[2, i] - uz)
+            probed, later = (nx, ny, nz, ax, ay, az, ca, cb), (px + gx, py + gy, pz + gz)
+            turns = then[6] + angle + dt * rate
+            keep_friction(x, v, obstacles, grip, o, i, probed, later, turns, dt, stiffness)
     keep_wheels(obstacles, memory, dt)
     for k in range(3):
         for i in range(n):
@@ -229,38 +228,6 @@ def is_stopped_hard(obstacles, force, o, i, gap, rise, dt):
     k, c, row = obstacles.stiffness[o, i], obstacles.damping[o, i], 3 + 6 * o
     soft = k * max(obstacles.thickness[i] - gap - rise * dt, 0.0) - c * rise
     return force[row, i] ** 2 + force[row + 1, i] ** 2 + force[row + 2, i] ** 2 > soft * soft
-
-
-@kernel
-def turn_towards(x, i, nx, ny, nz, stiffness):
-    """Return the angle by which the rope turns at node `i` towards a surface of this normal [rad]; else 0.
-
-    From how steeply the segment before it rises from the surface to how the one after it does: all of the
-    angle between them in a plane with the normal, nothing of it within the surface, as in a bight on a floor.
-    """
-    if i == 0 or i == x.shape[1] - 1 or stiffness[i - 1] == 0.0 or stiffness[i] == 0.0:
-        return 0.0
-    ax, ay, az = x[0, i] - x[0, i - 1], x[1, i] - x[1, i - 1], x[2, i] - x[2, i - 1]
-    bx, by, bz = x[0, i + 1] - x[0, i], x[1, i + 1] - x[1, i], x[2, i + 1] - x[2, i]
-    before, after = nx * ax + ny * ay + nz * az, nx * bx + ny * by + nz * bz
-    if before <= 0.0 and after >= 0.0:  # away from it
-        return 0.0
-    a, b = math.sqrt(ax * ax + ay * ay + az * az), math.sqrt(bx * bx + by * by + bz * bz)
-    if not (a > 0.0 and b > 0.0):
-        return 0.0
-    before, after = before / a, after / b
-    if not before > after:
-        return 0.0
-    before, after = min(max(before, -1.0), 1.0), min(max(after, -1.0), 1.0)
-    return max(math.asin(before) - math.asin(after), 0.0)
-
-
-@kernel
-def on_polygon(friction, turn):
-    """Return the coefficient with which a node that turns by `turn` [rad] acts as its arc would."""
-    if turn < 1e-6:
-        return friction
-    return math.tanh(0.5 * friction * turn) / math.tan(0.5 * turn)
 
 
 @deferred("float64")

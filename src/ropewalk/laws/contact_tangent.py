@@ -16,7 +16,7 @@ import math
 from ropewalk.core.blocks import load9, subtract
 from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.closing import across, closing
-from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, spring_pull
+from ropewalk.laws.contact_frame import DAMP, STIFF, friction_at, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
@@ -27,7 +27,7 @@ from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 @deferred()
 def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the band's diagonal."""
-    diagonal, place = band.diagonal, memory.place
+    diagonal, place, since = band.diagonal, memory.place, now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     begin_ties(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
@@ -76,7 +76,8 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             for p in range(3):
                 for r in range(3):
                     diagonal[i, 3 * p + r] += n[p] * drop[r] + bend * curve(ca, cb, n, a, p, r)
-            bound, pull = grip[GRIP, i] * push, (0.0, 0.0, 0.0)
+            mu = friction_at(grip, i, since)
+            bound, pull = mu * push, (0.0, 0.0, 0.0)
             if bound > 0.0:
                 vx, vy, vz = (
                     vx - (wy * oz - wz * oy),
@@ -88,7 +89,6 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
                 own, turn = weight_x * kt + weight_v * c, weight_x * c
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
-                mu = grip[GRIP, i]
                 before = before if whole else load9(diagonal, i)
                 rub(diagonal, i, n, a, ca, cb, pull, bound, mu, drop, own, turning, weight_x)
             if whole or (tied and bound > 0.0):

@@ -17,7 +17,7 @@ import math
 from ropewalk.core.blocks import dot3, minus3, plus3, scale3
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.closing import across, closing
-from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, spring_pull, surface_at
+from ropewalk.laws.contact_frame import DAMP, STIFF, cut, friction_at, spring_pull, surface_at
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheel_rows import (
@@ -89,7 +89,7 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
         push = pressed - c * rise
         if not push > 0.0:
             continue
-        kt, mu = grip[STIFF, i], grip[GRIP, i]
+        kt, mu = grip[STIFF, i], friction_at(grip, i, now[0] - now[1])
         pull = spring_pull(kt, hub, axle, angle, then, grip, place, i, px, py, pz)
         pull = minus3(pull, scale3(c, u))
         q = minus3(pull, scale3(dot3(n, pull), n))

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel
-from ropewalk.laws.contact_frame import GRIP, PUSH, STIFF, surface_at
+from ropewalk.laws.contact_frame import GRIP, PUSH, STIFF, friction_at, surface_at
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned
 
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
@@ -23,7 +23,7 @@ UNSEEN = 0.9  # [1] of the longest step whose stops are passed over: none is cut
 
 @kernel
 def at_limit(grip, i, mu):
-    """Tell whether friction at a node carries all that it can with so much of it; `grip` (7, n)."""
+    """Tell whether friction at a node carries all that it can with so much of it; `grip` (8, n)."""
     most = mu * grip[PUSH, i]
     square = grip[0, i] ** 2 + grip[1, i] ** 2 + grip[2, i] ** 2
     return most > 0.0 and math.sqrt(square) >= AT_LIMIT * most
@@ -62,9 +62,9 @@ def standstills(obstacles, before, after, dt, tolerance):
             ux, uy, uz = slip_at(obstacles, o, surface, before.x, before.v, i)
             speed = math.sqrt(ux * ux + uy * uy + uz * uz)
             pull = first[STIFF, i] * speed * dt  # were it to stick
-            mu = first[
-                GRIP, i
-            ]  # by which the end's is cut, too; what is kept there is of its new turn
+            mu = friction_at(
+                first, i, dt
+            )  # by which the end's is cut; what is kept is of its new turn
             if not at_limit(first, i, mu) and pull <= mu * first[PUSH, i]:
                 continue
             wx, wy, wz = slip_at(obstacles, o, there, after.x, after.v, i)

@@ -20,7 +20,7 @@ import math
 
 from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.closing import closing
-from ropewalk.laws.contact_frame import DAMP, GRIP, STIFF, cut, surface_at
+from ropewalk.laws.contact_frame import DAMP, STIFF, cut, friction_at, surface_at
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import rotated
 from ropewalk.laws.obstacle_shapes import probe
@@ -101,18 +101,18 @@ def _find_rates(x, v, obstacles, memory, now):
             if h > 0.0:
                 find_turning(x, v, obstacles, memory, o, now)
             continue
-        _list_nodes(x, v, obstacles, memory, o, now[0])
+        _list_nodes(x, v, obstacles, memory, o, now)
         if h > 0.0:
             _find_rate(x, v, obstacles, memory, o, now)
 
 
 @kernel
-def _list_nodes(x, v, obstacles, memory, o, t):
-    """Write which nodes a wheel rubs on at time `t` [s], with normal and what friction can carry there."""
-    w, count = obstacles.wheel[o], 0
+def _list_nodes(x, v, obstacles, memory, o, now):
+    """Write which nodes a wheel rubs on, with normal and what friction can carry there."""
+    w, count, since = obstacles.wheel[o], 0, now[0] - now[1]
     kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
     size, grip, ties = obstacles.size[o], memory.grip[o], memory.ties[w]
-    mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, t)
+    mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
     for i in range(x.shape[1]):
         px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
         g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, px, py, pz)
@@ -121,7 +121,7 @@ def _list_nodes(x, v, obstacles, memory, o, t):
         n, a = (nx, ny, nz), (ax, ay, az)
         rise = closing(rise, -depth, n, a, ca, cb, (vx, vy, vz))[0]
         push = squeezed(obstacles, o, i, depth)[0]
-        bound = grip[GRIP, i] * (push - grip[DAMP, i] * rise)
+        bound = friction_at(grip, i, since) * (push - grip[DAMP, i] * rise)
         if bound > 0.0 and memory.held[i] == 0:
             ties[NODE, count], ties[BOUND, count] = i, bound
             ties[NORMAL, count], ties[NORMAL + 1, count], ties[NORMAL + 2, count] = nx, ny, nz

@@ -11,18 +11,19 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.closing import closing
-from ropewalk.laws.contact import on_polygon, push_on, turn_towards
+from ropewalk.laws.contact import push_on
 from ropewalk.laws.contact_frame import find_gaps, surface_at
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.laws.obstacle_pose import rates_of
+from ropewalk.laws.polygon import pulls_ahead, tilted, turned_by
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 _PARALLEL = 1e-9  # [1] least of A's eigenvalues over the largest, below which surfaces are parallel
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
 _Row = tuple[
-    int, int, Floats, float, float, Floats, float, float
+    int, int, Floats, float, float, Floats, float, float, float
 ]  # in the order that `_shared` reads
 
 
@@ -36,8 +37,11 @@ class Contacts(NamedTuple):
     turn: Floats  # (c,) angle by which the rope turns there towards the obstacle [rad]
     aside: Floats  # (c,) ... and within its surface [rad]
     rub: Floats  # (c, 3) R_t [N]
-    friction: Floats  # (c,) coefficient with which the node acts as its arc [1]
+    friction: Floats  # (c,) coefficient with which the node acts as its arc, the way it rubs [1]
     slip: Floats  # (c, 3) velocity of the node over the surface [m/s]
+    # tan p and e [rad] of `laws.polygon`, (c,): friction is tan(p + c e), c as the rope pulls
+    cone: Floats
+    off: Floats
 
     @property
     def use(self) -> Floats:
@@ -108,12 +112,17 @@ def contacts_at(
         push = push_on(table, o, i, gap, rise)
         if not push > 0.0:
             continue
-        turn = turn_towards(x, i, *direction, stiffness)
-        friction = on_polygon(table.friction[o, i], turn)
+        probed = (*direction, ax, ay, az, ca, cb)
+        turn, cone, off = turned_by(x, x, table, o, i, probed, 0.0, stiffness)
         along = over[o, j] - normal * (normal @ over[o, j])
         aside = turn_within(x, i, normal) if turn > 0.0 else 0.0
-        rows.append((o, i, normal, push, friction, along, turn, aside))
-    return _shared(rows, force)
+        rows.append((o, i, normal, push, cone, along, turn, aside, off))
+    found = _shared(rows, force)
+    for row in np.flatnonzero(found.off).tolist():
+        i, normal, rub = int(found.node[row]), found.normal[row], found.rub[row]
+        ahead = pulls_ahead(x, i, *normal.tolist(), *rub.tolist())
+        found.friction[row] = tilted(float(found.cone[row]), float(found.off[row]), ahead)
+    return found
 
 
 def turn_within(x: Floats, i: int, normal: Floats) -> float:
@@ -188,6 +197,8 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
         rub=rub,
         friction=friction,
         slip=np.array([row[5] for row in rows]).reshape(count, 3),
+        cone=friction.copy(),
+        off=np.array([row[8] for row in rows], np.float64),
     )
 
 

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.laws.contact import turn_towards
 from ropewalk.laws.pairs.table import CONTACTS, NORMAL, OTHER, OWN, PUSH, SPRING
+from ropewalk.laws.polygon import turn_towards
 from ropewalk.laws.slides.rail import look
 from ropewalk.laws.slides.table import APART, AT
 from ropewalk.laws.slides.table import SPRING as HELD

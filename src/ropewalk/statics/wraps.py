@@ -11,6 +11,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.polygon import tilted
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.coarse_turns import FINE, CoarseTurn, coarse_turn
 from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, stretches
@@ -24,6 +25,7 @@ MANY = (
 _JAMS = 1e-9  # share of the pull that moves the rope on, below which it jams [1]
 _ROUNDING = 1e-6  # of a tension [1]
 _NOTHING = 0.05  # [%] of what friction can carry that is not told
+_AGAIN = 20  # times that a coefficient is found by the way a contact then carries
 _LEVEL = 1e-3  # [rad] a rope that turns by less lies straight
 
 
@@ -289,13 +291,35 @@ def _allowed(
             )
             out = _unit(x[:, i + step] - x[:, i])
             row = row_of.get(int(i))
-            mu = float(contacts.friction[row]) if row is not None else 0.0
+            mu = float(contacts.cone[row]) if row is not None else 0.0
+            off = float(contacts.off[row]) * step if row is not None else 0.0
             n = contacts.normal[row] if row is not None else _unit(into - out)
-            pull = _held(pull * into - others[:, i], out, n, mu, more=more)
+            pull = _held_off(pull * into - others[:, i], into + out, out, n, mu, off, more=more)
             if math.isinf(pull):
                 break
         ends.append(pull)
     return min(ends), max(ends), step < 0
+
+
+def _held_off(
+    given: Floats, along: Floats, out: Floats, n: Floats, mu: float, off: float, *, more: bool
+) -> float:
+    """Return what `_held` does of a contact that is `off` the middle of its turn [rad], see `laws.polygon`.
+
+    Its coefficient hangs on how far what it carries is `along` the rope.
+    """
+    if off == 0.0:
+        return _held(given, out, n, mu, more=more)
+    way, c = _unit(along - n * (n @ along)), 1.0 if more else -1.0
+    for _ in range(_AGAIN):
+        pull = _held(given, out, n, tilted(mu, off, c), more=more)
+        if math.isinf(pull):
+            break
+        rub = given - pull * out
+        before, c = c, -float(way @ _unit(rub - n * (n @ rub)))
+        if abs(c - before) < _ROUNDING:
+            break
+    return pull
 
 
 def _held(given: Floats, out: Floats, n: Floats, mu: float, *, more: bool) -> float:

@@ -19,7 +19,7 @@ import numpy as np
 
 from ropewalk.core import arrays
 from ropewalk.core.arrays import Floats
-from ropewalk.laws.contact_frame import GRIP, surface_at
+from ropewalk.laws.contact_frame import GRIP, GROWS, surface_at
 from ropewalk.laws.contact_frame import PUSH as PRESSED
 from ropewalk.laws.obstacle_places import depths, moves, surface_near, turning_rate
 from ropewalk.laws.pairs.table import CONTACTS, PUSH, SPRING
@@ -37,6 +37,7 @@ def held(model: Model) -> Model:
     """Return the model with friction enough for what all contacts, and all that slides, carry."""
     node, state = model.system.node, arrays.copy(model.state)
     state.memory.obstacle.grip[:, GRIP] *= _FIRMLY
+    state.memory.obstacle.grip[:, GROWS] = 0.0
     contact = node.contact._replace(friction=_FIRMLY * node.contact.friction)
     slide = node.slide._replace(
         friction=_FIRMLY * node.slide.friction, brake=_FIRMLY * node.slide.brake
@@ -64,6 +65,7 @@ def slipping(model: Model, built: Model, x: Floats) -> tuple[Model, tuple[str, .
         if under:
             names.append(body.name)
             state.memory.obstacle.grip[row, GRIP, under] = 0.0
+            state.memory.obstacle.grip[row, GROWS, under] = 0.0
     return replace(model, state=state), tuple(names)
 
 
