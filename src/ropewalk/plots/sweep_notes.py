@@ -18,6 +18,7 @@ def notes_of_runs(data: xr.Dataset) -> list[str]:
     if "notes" not in data:
         return []
     texts = [str(text) for text in np.ravel(data.notes.values).tolist()]
-    good = int(np.isin(data.status.values.astype(str), ["finished", "at rest"]).sum())
+    ends = [str(end) for end in np.ravel(data.status.values).tolist()]  # of a store's own kind
+    good = sum(end in ("finished", "at rest") for end in ends)
     counts = Counter(kind for text in texts for kind in kinds_in(text))
     return [f"{words}." for _, words in noted(counts, good)]
