@@ -96,6 +96,15 @@ def _what_is_left(layout: Layout, state: State, stage: Stage) -> str:
     return force
 
 
+def _of_error(layout: Layout, place: int) -> str:
+    """Say where the adaptive method's error is the largest, see `controller.NODE`."""
+    turning = -1 - place - layout.segments
+    if turning >= 0:
+        return f"pulley {layout.pulleys[turning]!r}"
+    rope, index = layout.rope_of(place if place >= 0 else -1 - place)
+    return f"{'node' if place >= 0 else 'segment'} {index} of rope {rope!r}"
+
+
 def _describe_shortest(
     model: Model, state: State, tolerance: float, longest: float, scratch: Any
 ) -> str:
@@ -108,9 +117,7 @@ def _describe_shortest(
     if not math.isfinite(error):
         why, helps = _what_is_left(layout, state, scratch.stage), finer(model.plan, taken)
     else:
-        rope, index = layout.rope_of(place if place >= 0 else -1 - place)
-        what = "node" if place >= 0 else "segment"
-        why = f"at {what} {index} of rope {rope!r} "
+        why = f"at {_of_error(layout, place)} "
         why += f"its estimated error is {error:.3g} m, more than {tolerance:g} m"
         helps = ("a larger tolerance",)
     if too_far := _too_far(layout, state, longest, scratch):

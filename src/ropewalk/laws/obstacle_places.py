@@ -128,6 +128,18 @@ def reach_of(obstacles: Obstacles, row: int) -> float:
     return off + float(size[0]) + ring
 
 
+def reaches_of_wheels(obstacles: Obstacles, x: Floats) -> Floats:
+    """Return how far what turns freely is from its axle at most (w,) [m]; of a plane, nodes (3, n)."""
+    found = np.zeros(len(obstacles.inertia))
+    for row in np.flatnonzero(obstacles.wheel >= 0).tolist():
+        reach = reach_of(obstacles, row)
+        if obstacles.kind[row] == PLANE:
+            arms = np.cross(obstacles.axle[row], x.T - obstacles.hub[row])
+            reach = float(np.linalg.norm(arms, axis=1).max())
+        found[obstacles.wheel[row]] = reach
+    return found
+
+
 def sweeping_speed(obstacles: Obstacles, row: int, until: float = math.inf) -> float:
     """Return the largest speed at which a surface itself moves before a time [s] [m/s].
 

@@ -46,6 +46,7 @@ from ropewalk.laws.wheel_rows import (
     PART,
     PULL,
     RATE,
+    RATES,
     ROPES,
     ROW,
     SHARE,
@@ -300,15 +301,15 @@ def aim_wheels(wheel, A, b, s, dt):
             one[MEAN_DRIVE], one[MEAN_DRAG], one[MEAN_WEIGH] = 0.0, 0.0, 0.0
         one[PART], one[SHARE] = dt * A[s, s], b[s]
         if A[s, s] == 0.0:  # it is the step's begin
-            one[STAGES], one[STAGES + 1] = one[RATE], one[PULL]
+            one[RATES + s], one[STAGES + s] = one[RATE], one[PULL]
             one[MEAN_DRIVE] += b[s] * one[TORQUE]
             one[MEAN_DRAG] += b[s] * (one[PULL] - one[TORQUE] - one[WEIGHED])
             one[MEAN_WEIGH] += b[s] * one[WEIGHED]
             continue
         one[KNOWN], one[LEAD] = 0.0, 0.0
         for r in range(s):
-            one[KNOWN] += dt * A[s, r] * one[STAGES + 2 * r + 1]
-            one[LEAD] += dt * A[s, r] * one[STAGES + 2 * r]
+            one[KNOWN] += dt * A[s, r] * one[STAGES + r]
+            one[LEAD] += dt * A[s, r] * one[RATES + r]
 
 
 @deferred()
@@ -334,10 +335,7 @@ def end_aim(wheel, s, last):
     """Keep a stage that is solved; its torques count in the mean, but those of the last one, yet to come."""
     for w in range(wheel.shape[0]):
         one = wheel[w]
-        one[STAGES + 2 * s], one[STAGES + 2 * s + 1] = (
-            one[TRIAL],
-            one[DRIVE] + one[DRAG] + one[WEIGH],
-        )
+        one[RATES + s], one[STAGES + s] = one[TRIAL], one[DRIVE] + one[DRAG] + one[WEIGH]
         if not last:
             one[MEAN_DRIVE] += one[SHARE] * one[DRIVE]
             one[MEAN_DRAG] += one[SHARE] * one[DRAG]

@@ -24,6 +24,7 @@ from ropewalk.laws.anchors import release_anchors
 from ropewalk.laws.bounds import is_stopped, time_to_bounds, time_to_taut
 from ropewalk.laws.contact_frame import STOPS
 from ropewalk.laws.links import hold_links, note_reactions
+from ropewalk.laws.obstacle_places import reaches_of_wheels
 from ropewalk.laws.rare import acts_after, limits, parts, winds
 from ropewalk.laws.winch import end_turns, plan_turns, wind_to
 from ropewalk.methods.controller import (
@@ -42,6 +43,7 @@ from ropewalk.methods.controller import (
     first_step,
     largest_error,
     largest_inner_error,
+    largest_turning_error,
     longest_step,
     make_control,
     shorter,
@@ -65,6 +67,7 @@ from ropewalk.methods.stage_report import QUICK
 from ropewalk.methods.tableaus import ESDIRK3
 from ropewalk.methods.verdict import note_changes
 from ropewalk.methods.watch import close_interval, open_interval, watch
+from ropewalk.methods.wheel_ties import has_wheels
 
 SNAP = 1e-9  # [1] a frame this close to an end of a step, over its length, is at that end
 
@@ -89,6 +92,7 @@ class AdaptiveScratch(NamedTuple):
     ahead: State
     breaks: Floats  # times at which a step must end [s]
     limits: Floats  # (2,) tolerance [m], longest step [s]
+    reach: Floats  # (w,) of what turns freely, from its axle [m]
     strides: Floats  # (1,) tries of a step, and frames, that are left to the present call
 
 
@@ -110,7 +114,8 @@ def adapt(
     solver.stage.saddle.band.frozen[0] = 1
     limits = np.array([tolerance, longest])
     breaks = break_times(system)
-    rest = breaks, limits, np.zeros(1)
+    reach = reaches_of_wheels(system.node.obstacle, shown.x)
+    rest = breaks, limits, reach, np.zeros(1)
     return AdaptiveScratch(solver, solver.stage, walk, here, begin, ahead, *rest)
 
 
@@ -185,6 +190,9 @@ def try_step(system, state, before, scratch, t, after, dt, ledger, tableau):
     b, other = tableau.b, tableau.embedded
     largest_error(solver.u, b, other, dt, state.inverse_mass, control)
     largest_inner_error(solver.rates, b, other, dt, state.rest_length, control)
+    if has_wheels(system):
+        wheel, segments = state.memory.obstacle.wheel, state.rest_length.shape[0]
+        largest_turning_error(wheel, b, other, dt, scratch.reach, segments, control)
     wrong = not control[ERROR] <= tolerance
     if wrong and quick == 0.0:
         return dt * shorter(control[ERROR] / tolerance), 0

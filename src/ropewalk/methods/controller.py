@@ -1,8 +1,9 @@
 """Step-size control: the length of the next step from the estimated error of the last.
 
 The error of a step is the largest distance of any node between the method's result and that of the embedded
-method, e = h |sum (b_s - b'_s) V_s| [m], and that of the inner strain of any segment that remembers, as a
-length. It goes as h^3, so that with r = e / tolerance
+method, e = h |sum (b_s - b'_s) V_s| [m], that of the inner strain of any segment that remembers, as a length,
+and that of the angle of what turns freely, times how far it reaches from its axle. It goes as h^3, so
+that with r = e / tolerance
     h' = 0.9 h r^(-0.7/3) r_before^(0.4/3)    after an accepted step,
     h' = 0.9 h r^(-1/3)                       after a rejected one.
 Source: Gustafsson 1991, ACM Trans. Math. Softw. 17:533; Hairer & Wanner, Solving Ordinary Differential
@@ -17,6 +18,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, System
 from ropewalk.core.jit import kernel
+from ropewalk.laws.wheel_rows import RATES
 from ropewalk.laws.winch import WINCH_SHARE
 from ropewalk.methods.kinks import in_order
 
@@ -31,8 +33,8 @@ UNSOLVED_SHARE = 0.25  # of a step whose equations have no solution, for the nex
 
 # Places in the array `control`. BEGIN and END [s] are those of the last step, WISH [s] the next one's
 # length (0: none yet), BEFORE the last error over the tolerance; then counts and extremes of accepted
-# steps, and error [m] and node, or -1 - segment, of the last step tried (inf: its equations have no
-# solution).
+# steps, and error [m] and node, or -1 - segment, or -1 - segments - wheel, of the last step tried (inf: its
+# equations have no solution).
 BEGIN, END, WISH, BEFORE, ACCEPTED, REJECTED, SHORTEST, LONGEST, ERROR, NODE, BEGUN = range(11)
 
 
@@ -83,6 +85,21 @@ def largest_inner_error(rates, b, embedded, dt, rest_length, control):
         error = dt * abs(error) * rest_length[j]
         if not error <= control[ERROR]:
             control[ERROR], control[NODE] = error, -1 - j
+
+
+@kernel
+def largest_turning_error(wheel, b, embedded, dt, reach, segments, control):
+    """Raise the error of a step to the largest of what turns freely [m], and its place to -1 - segments - w.
+
+    `wheel` (w, WIDTH) see `wheel_rows`, `reach` (w,) [m].
+    """
+    for w in range(wheel.shape[0]):
+        error = 0.0
+        for s in range(b.shape[0]):
+            error += (b[s] - embedded[s]) * wheel[w, RATES + s]
+        error = dt * abs(error) * reach[w]
+        if not error <= control[ERROR]:
+            control[ERROR], control[NODE] = error, -1 - segments - w
 
 
 @kernel
