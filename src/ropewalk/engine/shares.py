@@ -44,7 +44,10 @@ SLIDES = tuple(
 )
 # Of all ropes together; and what is each island's own: the verdict, a method's memory.
 SUMS = ("work.limiter", "work.winch")
-OWN = ("past", "now", "jolt", "most", "balance", "memory.slide.tally")
+OWN = (
+    *("past", "now", "jolt", "most", "balance"),
+    *("memory.slide.tally", "memory.obstacle.until"),
+)
 MEMORY = "memory."  # of laws of nodes
 PEAKS = "peaks."  # every island looks at its own steps
 SEGMENTS_RECORDED = (

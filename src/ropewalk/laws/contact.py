@@ -21,7 +21,7 @@ import math
 
 from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.closing import closing
-from ropewalk.laws.contact_books import PRESSED, RUBBED, note_way, put_apart
+from ropewalk.laws.contact_books import OFTEN, OVER, PRESSED, RUBBED, WHEN, note_way, put_apart
 from ropewalk.laws.contact_frame import (
     DAMP,
     MOVES,
@@ -35,6 +35,7 @@ from ropewalk.laws.contact_frame import (
     spring_pull,
 )
 from ropewalk.laws.hardening import along_surface, squeezed
+from ropewalk.laws.obstacle_lead import led
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
 from ropewalk.laws.polygon import keep_friction
@@ -58,11 +59,14 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             force[row, i] = 0.0
     for o in range(obstacles.kind.shape[0]):
         hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
+        slip = memory.slip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_then(obstacles, memory.wheel, o, now)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         to, at = (mx, my, mz), (ux, uy, uz)
+        to, at, turn, per, own = led(obstacles, memory, o, now, then, to, at, angle)
+        (mx, my, mz), (ux, uy, uz) = to, at
         if is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, first, last):
             continue
         for i in range(first, last):
@@ -87,7 +91,12 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                sx, sy, sz = spring_pull(k, hub, axle, angle, then, grip, place, i, px, py, pz)
+                if slip[OFTEN, i] > 0.0 and slip[WHEN, i] == now[1] == now[0]:
+                    vx, vy, vz = last_slip(slip, i)
+                k, c = k + per * c, own * c
+                sx, sy, sz = spring_pull(
+                    k, hub, axle, angle, then, grip, place, i, px, py, pz, turn
+                )
                 sx, sy, sz = sx - c * vx, sy - c * vy, sz - c * vz
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
@@ -111,9 +120,11 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
         hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
+        slip = memory.slip[o]
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_then(obstacles, memory.wheel, o, now)
-        to = (mx, my, mz)
+        to, at = (mx, my, mz), (ux, uy, uz)
+        _, _, turned_by, per, _ = led(obstacles, memory, o, now, then, to, at, angle)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(n):
@@ -134,14 +145,18 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             grip[PUSH, i] = max(push, 0.0)
             bound = friction_at(grip, i, dt) * grip[PUSH, i]
             note_way(obstacles, memory, o, i, to, then, angle, px, py, pz, g, nx, ny, nz)
+            slip[OFTEN, i], slip[WHEN, i] = per, now[0]
             sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
             softer = harden(obstacles, grip, o, i, depth)
             if bound > 0.0:
-                sx, sy, sz = spring_pull(k, hub, axle, angle, then, grip, place, i, px, py, pz)
+                sx, sy, sz = spring_pull(
+                    k, hub, axle, angle, then, grip, place, i, px, py, pz, turned_by
+                )
                 across = nx * sx + ny * sy + nz * sz
                 sx, sy, sz = sx - across * nx, sy - across * ny, sz - across * nz
-                rx, ry, rz = sx - c * (vx - gx), sy - c * (vy - gy), sz - c * (vz - gz)
+                fx, fy, fz = last_slip(slip, i) if per > 0.0 else (vx - gx, vy - gy, vz - gz)
+                rx, ry, rz = sx - c * fx, sy - c * fy, sz - c * fz
                 sx, sy, sz = cut(softer * sx, softer * sy, softer * sz, bound)
                 across = nx * rx + ny * ry + nz * rz
                 rx, ry, rz = rx - across * nx, ry - across * ny, rz - across * nz
@@ -163,6 +178,13 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             memory.way[k, i] = x[k, i] - place[k, i]
             place[k, i] = x[k, i]
     return closed
+
+
+@small
+def last_slip(slip, i):
+    """Return the velocity of node i over a surface as its way in the last step has it [m/s]."""
+    often = slip[OFTEN, i]
+    return often * slip[OVER, i], often * slip[OVER + 1, i], often * slip[OVER + 2, i]
 
 
 @small

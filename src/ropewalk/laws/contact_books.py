@@ -15,6 +15,8 @@ and a mean speed for a way. With it the entries add up to the ledger's to roundi
 
 from __future__ import annotations
 
+import math
+
 from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.contact_frame import carried
 
@@ -22,7 +24,9 @@ from ropewalk.laws.contact_frame import carried
 MOTOR, PRESS, RUB, METHOD, PRESSED, RUBBED, GAP, BOOKS = range(8)
 #: What is recorded of every surface [J]: work on the ropes; they add up to the law's.
 ENTRIES = ("motor", "normal", "friction", "stored", "method")
-RISE, OVER, LED, WAYS = 0, 3, 6, 9  # rows of `Memory.slip`: n G, D and m [m]
+# Rows of `Memory.slip`: n G, D and m [m]; and where D tells the velocity over the surface at a step's end,
+# see `obstacle_lead`, 1 over its length [1/s], else 0, and when that is [s].
+RISE, OVER, LED, OFTEN, WHEN, WAYS = 0, 3, 6, 9, 10, 11
 
 
 @kernel
@@ -41,7 +45,8 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
     """
     slip, place, hub, axle = memory.slip[o], memory.place, obstacles.hub[o], obstacles.axle[o]
     books = memory.books[o]
-    _, _, _, dx, dy, dz = carried(hub, axle, angle, then, memory.grip[o], place, i, x, y, z)
+    turn = (math.cos(angle), math.sin(angle))
+    _, _, _, dx, dy, dz = carried(hub, axle, angle, then, memory.grip[o], place, i, x, y, z, turn)
     rise = gap - books[GAP, i]
     slip[RISE, i], slip[RISE + 1, i], slip[RISE + 2, i] = rise * n0, rise * n1, rise * n2
     slip[OVER, i], slip[OVER + 1, i], slip[OVER + 2, i] = dx, dy, dz

@@ -61,26 +61,27 @@ def find_gaps(x, obstacles, t, found):
 
 
 @kernel
-def carried(hub, axle, angle, then, grip, place, i, x, y, z):
+def carried(hub, axle, angle, then, grip, place, i, x, y, z, turn):
     """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.
 
-    x, y, z in the frame of the body; `then` is what `surface_at` gives for when `place` was kept.
+    x, y, z in the frame of the body; `then` is what `surface_at` gives for when `place` was kept. `turn` is
+    cosine and sine of the angle for the way, or what `obstacle_lead` has for them.
     """
     fx, fy, fz = grip[0, i], grip[1, i], grip[2, i]
     ox = place[0, i] - then[0] - hub[0]
     oy = place[1, i] - then[1] - hub[1]
     oz = place[2, i] - then[2] - hub[2]
-    if angle != 0.0:
+    if angle != 0.0 or turn[1] != 0.0:
         c, s = math.cos(angle), math.sin(angle)
         fx, fy, fz = rotated(axle, c, s, fx, fy, fz)
-        ox, oy, oz = rotated(axle, c, s, ox, oy, oz)
+        ox, oy, oz = rotated(axle, turn[0], turn[1], ox, oy, oz)
     return fx, fy, fz, x - hub[0] - ox, y - hub[1] - oy, z - hub[2] - oz
 
 
 @kernel
-def spring_pull(k, hub, axle, angle, then, grip, place, i, x, y, z):
+def spring_pull(k, hub, axle, angle, then, grip, place, i, x, y, z, turn):
     """Return R' - k D [N]."""
-    fx, fy, fz, dx, dy, dz = carried(hub, axle, angle, then, grip, place, i, x, y, z)
+    fx, fy, fz, dx, dy, dz = carried(hub, axle, angle, then, grip, place, i, x, y, z, turn)
     return fx - k * dx, fy - k * dy, fz - k * dz
 
 

@@ -18,6 +18,7 @@ from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import DAMP, STIFF, friction_at, spring_pull
 from ropewalk.laws.hardening import squeezed
+from ropewalk.laws.obstacle_lead import led
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
 from ropewalk.laws.wheel_rows import surface_then
@@ -37,6 +38,8 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         to, at, count = (mx, my, mz), (ux, uy, uz), x.shape[1]
+        to, at, turns, per, own_speed = led(obstacles, memory, o, now, then, to, at, angle)
+        (mx, my, mz), (ux, uy, uz) = to, at
         if is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, 0, count):
             continue
         tied = obstacles.wheel[o] >= 0
@@ -85,7 +88,10 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                     vz - (wx * oy - wy * ox),
                 )
                 kt = grip[STIFF, i]
-                sx, sy, sz = spring_pull(kt, hub, axle, angle, then, grip, place, i, px, py, pz)
+                kt, c = kt + per * c, own_speed * c
+                sx, sy, sz = spring_pull(
+                    kt, hub, axle, angle, then, grip, place, i, px, py, pz, turns
+                )
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
                 own, turn = weight_x * kt + weight_v * c, weight_x * c
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))

@@ -124,6 +124,9 @@ class Memory(NamedTuple):
     through: Ints
     fault: Ints  # (n,) the same of a step that was taken
     held: Ints  # (n,) 1: something holds the node, no obstacle touches it; see `held_nodes`
+    # (1,) end of the step in hand [s] where velocities are ways from its begin over the time; see
+    # `obstacle_lead`
+    until: Floats
 
 
 def lower(
@@ -243,12 +246,13 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats, held: Ints) -> Me
     count, n, wheels = len(obstacles.kind), x.shape[1], len(obstacles.inertia)
     passes = np.zeros((2, n if count else 0), np.int64)
     own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n)), passes[0], passes[1].copy()
+    last = (held.copy() if count else passes[0].copy()), np.zeros(min(count, 1))
     grip, books, slip = (np.zeros((count, rows, n)) for rows in (GRIPS, BOOKS, WAYS))
     grip[:, STIFF], grip[:, DAMP] = obstacles.stiffness, obstacles.damping
     if count == 0:
         none = np.zeros((3, 0))
-        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own, passes[0].copy())
-    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own, held.copy())
+        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own, *last)
+    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own, *last)
     found.wheel[:, RATE] = obstacles.rate
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
     grip[:, PUSH] *= grip[:, PUSH] > TOUCHES * obstacles.diameter * obstacles.stiffness

@@ -73,6 +73,7 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
     then = surface_at(obstacles, o, now[1])
     h, total, slope, parts = span_of(wheel, now), 0.0, 0.0, 0.0
     angle = wheel[LEAD] + rate * h
+    turn = (math.cos(angle), math.sin(angle))
     body, pose = body_of(obstacles, o), pose_of(obstacles, o, wheel[ANGLE] + angle)
     sweep = rates_of(obstacles, o, rate)[1]
     for i in range(x.shape[1]):
@@ -90,7 +91,7 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
         if not push > 0.0:
             continue
         kt, mu = grip[STIFF, i], friction_at(grip, i, now[0] - now[1])
-        pull = spring_pull(kt, hub, axle, angle, then, grip, place, i, px, py, pz)
+        pull = spring_pull(kt, hub, axle, angle, then, grip, place, i, px, py, pz, turn)
         pull = minus3(pull, scale3(c, u))
         q = minus3(pull, scale3(dot3(n, pull), n))
         force = plus3(scale3(push, n), cut(q[0], q[1], q[2], mu * push))
