@@ -1,7 +1,8 @@
 """Contact of nodes with obstacles: Coulomb friction that sticks.
 
-With g the gap, v the velocity over the surface, D the way over it since the last accepted step, R' the
-friction spring's force then, P = I - n n^T and R the force of a squeeze, see `hardening`,
+With g the gap, v the velocity over the surface (see `obstacle_lead`), D the way over it since the last
+accepted step, R' the friction spring's force then, P = I - n n^T and R the force of a squeeze, see
+`hardening`,
     R_n = max(0, R(-g) - z c n.v)                         a damper that never pulls, see `closing`
     q   = P (R' - k_t D) - c P v
     R_t = q            where |q| <= mu R_n                it sticks

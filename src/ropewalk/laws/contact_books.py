@@ -15,10 +15,8 @@ and a mean speed for a way. With it the entries add up to the ledger's to roundi
 
 from __future__ import annotations
 
-import math
-
 from ropewalk.core.jit import deferred, kernel
-from ropewalk.laws.contact_frame import carried
+from ropewalk.laws.contact_frame import carried, turn_of
 
 # Rows of `Memory.books`: works so far [J], what is stored now [J], and the gap now [m].
 MOTOR, PRESS, RUB, METHOD, PRESSED, RUBBED, GAP, BOOKS = range(8)
@@ -45,7 +43,7 @@ def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2
     """
     slip, place, hub, axle = memory.slip[o], memory.place, obstacles.hub[o], obstacles.axle[o]
     books = memory.books[o]
-    turn = (math.cos(angle), math.sin(angle))
+    turn = turn_of(angle)
     _, _, _, dx, dy, dz = carried(hub, axle, angle, then, memory.grip[o], place, i, x, y, z, turn)
     rise = gap - books[GAP, i]
     slip[RISE, i], slip[RISE + 1, i], slip[RISE + 2, i] = rise * n0, rise * n1, rise * n2

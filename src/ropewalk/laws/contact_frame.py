@@ -60,6 +60,14 @@ def find_gaps(x, obstacles, t, found):
             found[o, i] = probe_turned(body, pose, px, py, pz)[0]
 
 
+@small
+def turn_of(angle):
+    """Return cosine and sine of the angle by which a body has turned."""
+    if angle == 0.0:
+        return 1.0, 0.0
+    return math.cos(angle), math.sin(angle)
+
+
 @kernel
 def carried(hub, axle, angle, then, grip, place, i, x, y, z, turn):
     """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, part, small
-from ropewalk.laws.contact_frame import surface_at
+from ropewalk.laws.contact_frame import surface_at, turn_of
 
 ROUNDED = 1e-12  # [1] of the places: more than rounding does to a way
 FARTHEST = 0.5 * math.pi  # [rad] in a step: what turns farther has no chord to speak of
@@ -38,7 +38,7 @@ def led(obstacles, memory, o, now, then, moved, speed, angle):
     velocity [1/s], 0: it is not; and 0 or 1, what counts of the velocity in hand. `moved`, `speed`, `angle`
     are its own, `then` where it was.
     """
-    turn, end, span = (math.cos(angle), math.sin(angle)), memory.until[0], now[0] - now[1]
+    turn, end, span = turn_of(angle), memory.until[0], now[0] - now[1]
     if not (end >= now[0] and span > 0.0) or obstacles.wheel[o] >= 0:
         return moved, speed, turn, 0.0, 1.0
     x, y, z, vx, vy, vz, whole, rate = surface_at(obstacles, o, end)

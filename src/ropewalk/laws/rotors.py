@@ -17,7 +17,15 @@ import math
 from ropewalk.core.blocks import dot3, minus3, plus3, scale3
 from ropewalk.core.jit import kernel, small
 from ropewalk.laws.closing import across, closing
-from ropewalk.laws.contact_frame import DAMP, STIFF, cut, friction_at, spring_pull, surface_at
+from ropewalk.laws.contact_frame import (
+    DAMP,
+    STIFF,
+    cut,
+    friction_at,
+    spring_pull,
+    surface_at,
+    turn_of,
+)
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheel_rows import (
@@ -73,7 +81,7 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
     then = surface_at(obstacles, o, now[1])
     h, total, slope, parts = span_of(wheel, now), 0.0, 0.0, 0.0
     angle = wheel[LEAD] + rate * h
-    turn = (math.cos(angle), math.sin(angle))
+    turn = turn_of(angle)
     body, pose = body_of(obstacles, o), pose_of(obstacles, o, wheel[ANGLE] + angle)
     sweep = rates_of(obstacles, o, rate)[1]
     for i in range(x.shape[1]):

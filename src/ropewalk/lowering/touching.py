@@ -91,16 +91,18 @@ def contacts_at(
     stiffness: Floats,
     t: float = 0.0,
     only: Sequence[int] | None = None,
+    span: float = 0.0,
 ) -> Contacts:
     """Return the contacts of nodes at places `x` with velocities `v`, (3, n) [m, m/s], at time `t` [s].
 
     `force` (3, n) [N] is that of all obstacles on every node, `stiffness` (s,) that of the segments [N/m].
     Where a node touches several, each has friction along its own surface, see `_split`. With `only` some
     obstacles, those of nodes that may touch one of them.
+    For `span` see `within_reach`.
     """
     rows: list[_Row] = []
     nodes = np.flatnonzero(np.any(force != 0.0, axis=0))
-    speed, over, near = within_reach(table, nodes, x, v, t)
+    speed, over, near = within_reach(table, nodes, x, v, t, span)
     wanted = near if only is None else near & near[list(only)].any(axis=0)
     for j, o in np.argwhere(wanted.T).tolist():
         i = int(nodes[j])
@@ -136,12 +138,13 @@ def turn_within(x: Floats, i: int, normal: Floats) -> float:
 
 
 def within_reach(
-    table: Obstacles, nodes: Ints, x: Floats, v: Floats, t: float
+    table: Obstacles, nodes: Ints, x: Floats, v: Floats, t: float, span: float = 0.0
 ) -> tuple[Floats, Floats, NDArray[np.bool_]]:
     """Return velocities of m nodes beside obstacles, (k, m, 3) twice [m/s], and which may touch, (k, m).
 
     The first is that which closes a gap, the second that over the surface. A damper takes hold before the
-    surface does, see `closing`: no farther out than the velocity over its stiffness lets it.
+    surface does, see `closing`: no farther out than the velocity over its stiffness lets it. Where `v` are
+    means over the last `span` [s], as those of implicit Euler, the second is, too; see `obstacle_lead`.
     """
     count, places, velocities = len(table.kind), x[:, nodes].T, v[:, nodes].T
     speed, over = np.empty((2, count, len(nodes), 3))
@@ -151,12 +154,28 @@ def within_reach(
         arm = places - now[:3] - table.hub[o]
         speed[o] = velocities - now[3:6] - np.cross(turning[1], arm)
         over[o] = speed[o] - np.cross(turning[0], arm)
+        if 0.0 < span <= t:
+            over[o] += beyond_mean(table, o, t, span, arm)
     gaps = np.empty((count, len(nodes)))
     find_gaps(np.ascontiguousarray(places.T), table, t, gaps)
     damping = table.ratio[:, None] * table.damping[:, nodes]
     lead = damping / table.stiffness[:, nodes] * np.linalg.norm(speed, axis=2)
     room = gaps - table.thickness[nodes]
     return speed, over, room <= (1.0 + 1e-9) * lead
+
+
+def beyond_mean(table: Obstacles, o: int, t: float, span: float, arms: Floats) -> Floats:
+    """Return how far a body's velocities are from their means over `span` [s] before `t`, (m, 3) [m/s].
+
+    At places (m, 3) from its hub [m] at `t`, which go along with it.
+    """
+    now, before = (np.array(surface_at(table, o, time)) for time in (t, t - span))
+    axle, turn = table.axle[o], now[6] - before[6]
+    aside = np.cross(axle, arms)
+    chord = math.sin(turn) * aside - (1.0 - math.cos(turn)) * np.cross(axle, aside)
+    rate = now[7] if turn != 0.0 else 0.0  # what turns freely is known at `t` only
+    found: Floats = now[3:6] - (now[:3] - before[:3]) / span + rate * aside - chord / span
+    return found
 
 
 def at_rates(table: Obstacles, wheels: Floats, t: float) -> Obstacles:

@@ -32,7 +32,6 @@ from ropewalk.laws.inner import (
     write_rates,
 )
 from ropewalk.laws.ledger import account, book_growth
-from ropewalk.laws.obstacle_lead import lead_until
 from ropewalk.laws.rare import has_bending, has_inner, winds
 from ropewalk.laws.table import accelerate
 from ropewalk.laws.wheels import aim_no_wheels, end_aim
@@ -244,9 +243,7 @@ def take_step(
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
     begin_step(system, state, stage, mean, dt, last, warm)
     for s in range(b.shape[0] if kind == DIRK else 1):
-        if has_wheels(system):
-            aim_all(system, state, kind, A, b, s, dt)
-        lead_until(state, after if kind == DIRK and s == 0 and A[0, 0] > 0.0 else -np.inf)
+        aim_all(system, state, kind, A, b, s, dt, after)
         if kind == DIRK and A[s, s] == 0.0:
             take_beginning(system, state, scratch, t, b[s], s)
             continue

@@ -5,7 +5,10 @@ With A z = f solved, and y = A^-1 u, the solution of (A - u r / s) z = f is z + 
 
 from __future__ import annotations
 
+import math
+
 from ropewalk.core.jit import deferred, kernel, part
+from ropewalk.laws.obstacle_lead import lead_until
 from ropewalk.laws.wheel_rows import COLUMN, KEPT, MOVED, PULLED, ROW, TIE
 from ropewalk.laws.wheels import aim_wheels, aim_wheels_bdf2, know_rates
 from ropewalk.methods.tableaus import DIRK
@@ -18,14 +21,16 @@ def has_wheels(system):
 
 
 @part
-def aim_all(system, state, kind, A, b, s, dt):
-    """Write what is known of a stage of all wheels."""
-    wheel = state.memory.obstacle.wheel
-    if kind == DIRK:
-        aim_wheels(wheel, A, b, s, dt)
-        know_rates(system.node.obstacle.inertia, wheel)
-    else:
-        aim_wheels_bdf2(wheel, dt)
+def aim_all(system, state, kind, A, b, s, dt, end):
+    """Write what is known of a stage of all wheels, and how bodies lead in it, of a step to `end` [s]."""
+    lead_until(state, end if kind == DIRK and s == 0 and A[0, 0] > 0.0 else -math.inf)
+    if has_wheels(system):
+        wheel = state.memory.obstacle.wheel
+        if kind == DIRK:
+            aim_wheels(wheel, A, b, s, dt)
+            know_rates(system.node.obstacle.inertia, wheel)
+        else:
+            aim_wheels_bdf2(wheel, dt)
 
 
 @kernel

@@ -211,13 +211,14 @@ def each_frame(
     force = result.obstacle_force if apart else result.contact_force
     x, v = result.positions, result.velocities
     turning = result.read(PULLEYS) if result.layout.pulleys else None
+    span = result.plan.dt if result.plan.method == "implicit-euler" else 0.0
     for frame in map(int, frames):
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
             t = float(result.time[frame])
             wheels = None if turning is None else turning[frame]
             there = has_rope(result.layout, rest[frame : frame + 1], lengths)[0]
-            contacts = touching(table, now[0], now[1], now[2], there, wheels, t, only)
+            contacts = touching(table, now[0], now[1], now[2], there, wheels, t, only, span)
             yield frame, contacts if apart else without_ropes(model, now[0], contacts)
 
 
@@ -230,14 +231,15 @@ def touching(
     wheels: Floats | None,
     t: float,
     only: Sequence[int] | None = None,
+    span: float = 0.0,
 ) -> Contacts:
     """Return the contacts at one time [s], from places, velocities and obstacles' forces (3, n) [m, m/s, N].
 
     `there` (s,) tells which segments are rope, neither on a drum nor parted; `wheels` are rows of
-    `wheel_rows.RECORDED`, None where nothing turns freely; for `only` see `contacts_at`.
+    `wheel_rows.RECORDED`, None where nothing turns freely; for `only` and `span` see `contacts_at`.
     """
     then = table if wheels is None else at_rates(table, wheels, t)
-    return contacts_at(then, x, v, force, there.astype(float), t, only)
+    return contacts_at(then, x, v, force, there.astype(float), t, only, span)
 
 
 def without_ropes(model: Model, x: Floats, contacts: Contacts) -> Contacts:
