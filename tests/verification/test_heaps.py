@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from ropewalk.scene import Contact
 from ropewalk.simulation import Simulation
-from verification.heaps import STEP, knot_of_pile, links_of, passes, pile, run
+from verification.heaps import STEP, Heap, knot_of_pile, links_of, passes, pile, run, watch
+from verification.tangles import tangle
 
 ONE = np.array([[-1.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, 1.0], [0.0, 0.0, 0.5, 0.5]])
 TWO = np.array([[0, 1], [2, 3]])
@@ -45,6 +47,20 @@ def test_a_pile_comes_to_rest_and_none_passes(seed: int) -> None:
     assert heap.middle < 1e-6
     assert heap.lying < 1e-6
     assert heap.creep < 0.04  # of what hangs from the hand and still swings
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("kind", "seed"), [("pile", 4), ("tangle", 16), ("tangle", 20)])
+def test_a_heap_without_friction_comes_to_rest(kind: str, seed: int) -> None:
+    """A node or two of these rocked at 7 to 20 mm/s for ever."""
+    scene = pile(seed, False) if kind == "pile" else tangle(seed, 1 + seed % 3, False)
+    scene = scene.replace(contact=Contact(friction=0.0))
+    heap = watch(scene, Heap(kind, seed, False), None if kind == "pile" else 12.0)
+    assert heap.unsolved == 0
+    assert heap.passed == 0
+    assert heap.deepest < 0.1
+    assert heap.rest < 0.006
+    assert heap.lying < 1e-4
 
 
 @pytest.mark.slow

@@ -29,6 +29,7 @@ from ropewalk.laws.pairs.table import (
     BRAKE,
     CLOSES,
     CONTACTS,
+    FOLLOW,
     LAYER,
     NORMAL,
     OTHER,
@@ -38,8 +39,8 @@ from ropewalk.laws.pairs.table import (
     apart,
     between,
     depth_of,
-    friction_of,
     lever_of,
+    rubs_by,
     share_of,
     spring_of,
 )
@@ -64,6 +65,8 @@ def pull_of(grip, row, u, w, damping):
     """Return P (R' - k_t D) - c_t P D' [N], see above."""
     n0, n1, n2 = grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2]
     k = grip[row, STIFF]
+    if grip[row, FOLLOW] > 0.0:
+        k, damping = grip[row, FOLLOW], 0.0
     q0 = grip[row, SPRING] - k * (u[0] - grip[row, APART]) - damping * w[0]
     q1 = grip[row, SPRING + 1] - k * (u[1] - grip[row, APART + 1]) - damping * w[1]
     q2 = grip[row, SPRING + 2] - k * (u[2] - grip[row, APART + 2]) - damping * w[2]
@@ -133,7 +136,7 @@ def add_pair_forces(x, v, table, memory, force):
         drag, _ = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
         q = pull_of(grip, row, u, w, drag)
         total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-        bound = friction_of(table, i, j) * push
+        bound = rubs_by(table, grip, row, i, j) * push
         share = bound / total if total > bound else 1.0
         rub = (share * q[0], share * q[1], share * q[2])
         for a in range(4):

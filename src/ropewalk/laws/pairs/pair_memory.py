@@ -22,8 +22,9 @@ from ropewalk.laws.pairs.distance import (
     product,
     relative_way,
 )
+from ropewalk.laws.pairs.easing import convex, ease, slow
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
-from ropewalk.laws.pairs.offsets import lead_offsets
+from ropewalk.laws.pairs.offsets import lead_offsets, lies_still
 from ropewalk.laws.pairs.pair_hits import swings
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.swept import sweep
@@ -49,6 +50,7 @@ from ropewalk.laws.pairs.table import (
     ROUNDS,
     SECOND,
     SEEN,
+    SETTLES,
     SPRING,
     STIFF,
     WIDTH,
@@ -63,6 +65,8 @@ from ropewalk.laws.pairs.table import (
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
+KEEPS = 1e-3  # [1/s] of the radii's sum: so fast what comes to rest moves at most
+RESTS = 1e-8  # [1/s] of the same: rounding
 JUST_OVER = 1.0 + 1e-6  # [1] of what a contact may hide, for what was found anew with all of that
 EVEN = 1e-3  # [1] weight of the speeds along segments, over that of what they do not explain
 AT_LIMIT = 1.0 - 1e-9  # [1] of what friction can carry counts as all of it
@@ -186,16 +190,32 @@ def run_on(x, v, dt, memory, row, y):
                 y[k, i] = x[k, i] + way * (x[k, b] - x[k, a])
 
 
+@small
+def may_stay(v, dt, memory, row, size):
+    """Tell whether a contact without friction may keep a plane that has hardly turned.
+
+    Where it comes to rest and its way is a concave one: there it would look for the next node, about which
+    a rope of straight segments is lowest, and a real one is not. Where the way is convex, what keeps its
+    plane has nothing that leads it back. What is at rest but for rounding goes no way.
+    """
+    i, j = memory.pair[row, 0], memory.pair[row, 1]
+    if lies_still(memory, i, j, RESTS * size * dt):
+        return True
+    return lies_still(memory, i, j, KEEPS * size * dt) and convex(v, memory, row) == 0.0
+
+
 @kernel
 def lead(x, v, dt, y, table, memory, row, tied):
     """Give a contact points and normal as they will be after another step; tell whether that could be.
 
     One that slips round a bend turns as it goes. With the plane of where it was it would lag behind, and hold
-    as much more as it has turned.
+    as much more as it has turned. One without friction that goes slowly has those of now, see `easing`.
     """
     i, j = memory.pair[row, 0], memory.pair[row, 1]
-    run_on(x, v, dt, memory, row, y)
     size = table.radius[i] + table.radius[j]
+    smooth = friction_of(table, i, j) == 0.0 and memory.tally[SETTLES] == 0
+    ahead = dt * (1.0 - slow(v, memory, row, size)) if smooth else dt
+    run_on(x, v, ahead, memory, row, y)
     s, t, distance = nearest(x, y, 1.0, i, j)
     before = depth_at(x, memory, row, i, j, size)
     if not (0.0 < distance < REACH * size and owns(x, y, 1.0, table, memory, tied, i, j, s, t)):
@@ -203,7 +223,9 @@ def lead(x, v, dt, y, table, memory, row, tied):
     n, along = normal_at(x, y, 1.0, memory, row, s, t), 0.0
     for k in range(3):
         along += n[k] * memory.grip[row, NORMAL + k]
-    if 1.0 - along < TURNED or not fits(x, y, 1.0, memory, row, s, t, size, before):
+    if 1.0 - along < TURNED and (not smooth or may_stay(v, dt, memory, row, size)):
+        return False
+    if not fits(x, y, 1.0, memory, row, s, t, size, before):
         return False
     freeze(x, y, 1.0, table, memory, row, s, t)
     begin_contact(x, table, memory, row, before)
@@ -353,6 +375,7 @@ def remember_pairs(x, v, dt, table, memory, tied):
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
         refresh(x, v, dt, place, table, memory, row, tied)
+        ease(v, table, memory, row)
     pass_on(x, table, memory)
     list_new(x, table, memory, tied)
     drop_gone(memory)

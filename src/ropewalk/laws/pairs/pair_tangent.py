@@ -20,12 +20,13 @@ from ropewalk.laws.pairs.force import drag_of, pressed, pull_of
 from ropewalk.laws.pairs.table import (
     ASKED,
     CONTACTS,
+    FOLLOW,
     NORMAL,
     STIFF,
     apart,
     depth_of,
-    friction_of,
     lever_of,
+    rubs_by,
     share_of,
     spring_of,
 )
@@ -45,9 +46,11 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     drop = weight_x * slope + weight_v * drag
     across, steep = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
     own = weight_x * grip[row, STIFF] + weight_v * across
+    if grip[row, FOLLOW] > 0.0:
+        own, steep = weight_x * grip[row, FOLLOW], 0.0
     q = pull_of(grip, row, u, w, across)
     total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-    friction = friction_of(table, i, j)
+    friction = rubs_by(table, grip, row, i, j)
     bound = friction * push
     share, more, over = 1.0, 0.0, 0.0
     if total > bound:

@@ -7,7 +7,19 @@ import math
 from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.boxes import begin_of, grow_tree, next_leaf, overlap
 from ropewalk.laws.pairs.distance import on_way, product
-from ropewalk.laws.pairs.table import CONTACTS, LEAN, LEVER, NEAR, NORMAL, OTHER, OWN, REACH, WIDTH
+from ropewalk.laws.pairs.easing import ease_levers
+from ropewalk.laws.pairs.table import (
+    CONTACTS,
+    LEAN,
+    LEVER,
+    NEAR,
+    NORMAL,
+    OTHER,
+    OWN,
+    REACH,
+    WIDTH,
+    friction_of,
+)
 
 NOWHERE = 1e150  # [m] so far are all nodes from where a list was made that does not count
 
@@ -245,7 +257,8 @@ def freeze(x, y, share, table, memory, row, s, t):
     """Give a contact points, normal and levers as they are at a share of the way.
 
     Where the points are one it keeps the normal that it has. The levers are those of strands that are within
-    30 degrees of parallel, and none from 60 degrees on: what turns round a strand across it rubs.
+    30 degrees of parallel, and none from 60 degrees on: what turns round a strand across it rubs. Without
+    friction they are those of `easing`.
     """
     n, grip = normal_at(x, y, share, memory, row, s, t), memory.grip
     grip[row, OWN], grip[row, OTHER] = s, t
@@ -261,5 +274,8 @@ def freeze(x, y, share, table, memory, row, s, t):
         part = parallel * gap / (table.radius[i] + table.radius[j])
         own = part * min(table.radius[i] / math.sqrt(ee), table.lever[i]) / math.sqrt(ee)
         other = part * min(table.radius[j] / math.sqrt(ff), table.lever[j]) / math.sqrt(ff)
+    if friction_of(table, i, j) == 0.0:
+        ease_levers(memory, row, e, f, s, t, table.radius[i] + table.radius[j])
+        return
     for k in range(3):
         grip[row, LEVER + k], grip[row, LEVER + 3 + k] = own * e[k], other * f[k]

@@ -24,7 +24,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
 # this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
 # MORE in the step that has led here [m], how fast it closed as the step began, where BRAKE goes with that
-# within the step, else 0 [m/s], and, of what throws back, one over the mass that its points move as [1/kg].
+# within the step, else 0 [m/s], of what throws back, one over the mass that its points move as [1/kg], and the
+# spring of one without friction [N/m], see `easing`.
 (
     NORMAL,
     OWN,
@@ -43,6 +44,7 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     WAS,
     CLOSES,
     EASE,
+    FOLLOW,
 ) = (
     0,
     3,
@@ -61,9 +63,10 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     25,
     26,
     27,
+    28,
 )
 NEW = -1.0  # in BRAKE: not known yet
-WIDTH = 28
+WIDTH = 29
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED, SETTLES = range(10)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
@@ -129,6 +132,12 @@ def friction_of(table, i, j):
 def throws_back(table):
     """Tell whether contacts throw back what hits."""
     return table.ratio[0] < 1.0
+
+
+@small
+def rubs_by(table, grip, row, i, j):
+    """Return the largest part of what presses that what holds across the normal can be [1]."""
+    return 1.0 if grip[row, FOLLOW] > 0.0 else friction_of(table, i, j)
 
 
 @small
