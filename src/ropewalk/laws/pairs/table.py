@@ -24,8 +24,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # on the way of the step in hand, the levers of both segments [1], see `apart`, and what of MORE is new in
 # this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
 # MORE in the step that has led here [m], how fast it closed as the step began, where BRAKE goes with that
-# within the step, else 0 [m/s], of what throws back, one over the mass that its points move as [1/kg], and the
-# spring of one without friction [N/m], see `easing`.
+# within the step, else 0 [m/s], of what throws back, one over the mass that its points move as [1/kg], and
+# the spring of one without friction [N/m], see `easing`.
 (
     NORMAL,
     OWN,
