@@ -269,3 +269,24 @@ def test_what_check_warns_of_long_segments_is_noted_in_a_sweep() -> None:
     assert "long segments" not in kinds(rw.simulate(along))
     turned = along.replace(**{"obstacle.start": (-0.01, 0, 0), "obstacle.end": (0.01, 0, 0)})
     assert "long segments" in kinds(rw.simulate(turned))
+
+
+def test_a_force_at_its_largest_in_the_first_frame_looked_at_is_seen_against_the_one_before() -> (
+    None
+):
+    """It was taken for its own frame before: the table told of it, the sweep did not."""
+    made_of = rw.Material(EA=1e4, mass_per_length=0.1)
+    ropes = [
+        rw.Rope(
+            name=name, segments=4, length=0.3, diameter=0.01, made_of=made_of,
+            shape={"kind": "straight", "start": (x - 0.15, 0, z), "end": (x + 0.15, 0, z)},
+        )
+        for name, x, z in (("a", 0.0, 0.5), ("b", 1.0, 0.4))
+    ]  # fmt: skip
+    balls = [{"kind": "sphere", "center": (x, 0, 0), "radius": 0.1} for x in (0.0, 1.0)]
+    run = {"duration": 0.5, "frame_rate": 20, "method": "implicit-euler", "time_step": 5e-4}
+    result = rw.simulate(rw.Scene(ropes=ropes, obstacles=balls, run=run))
+    assert (
+        "from 0 % of it one frame before" in result.table["about the largest force on an obstacle"]
+    )
+    assert "force between frames" in kinds(result)

@@ -25,7 +25,7 @@ class Pressed(NamedTuple):
     name: str  # of the obstacle
     frame: int
     force: float  # [N]
-    before: float  # the force on it in the frame before, if there is one [N]
+    before: float  # the force on it in the frame before; in the first frame, its own [N]
 
 
 def pressed_rows(result: Result, tension: Extreme, landings: Sequence[Landing]) -> dict[str, Any]:
@@ -81,10 +81,13 @@ def _largest(result: Result, *, few: bool) -> Pressed | None:
         loads = body_loads(result, frames, names)
         skip = max(first - frames.start, 0)
         at, row = divmod(int(np.argmax(loads[skip:])), len(names))
-        most, before = float(loads[at + skip, row]), float(loads[max(at + skip - 1, 0), row])
+        most = float(loads[at + skip, row])
         if most > (best.force if best else 0.0):
-            best = Pressed(names[row], frames.start + at + skip, most, before)
-    return best
+            best = Pressed(names[row], frames.start + at + skip, most, before=most)
+    if best is None or not best.frame:
+        return best
+    before = body_loads(result, range(best.frame - 1, best.frame), [best.name])
+    return best._replace(before=float(before[0, 0]))
 
 
 def _most_pressed(result: Result, first: int) -> list[int]:
