@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ropewalk as rw
+from ropewalk.plots.margin_notes import margin_notes
 from ropewalk.record.note_kinds import kinds
 from ropewalk.sheets.content import Text
 from ropewalk.sweeps.calibration import NotFitted
@@ -64,3 +65,84 @@ def test_a_fit_at_rest_beyond_the_limiter_is_refused() -> None:
         rw.calibrate(span(1.0), measured, ranges, starts=2, profile=False)
     fit = rw.calibrate(span(None), measured, ranges, starts=2, profile=False)
     assert fit.values["rope.length"] == pytest.approx(9.04, abs=0.01)
+
+
+def loaded(load: float = 500.0, apart: float = 5.0, **more: object) -> rw.Scene:
+    """Two ropes with 80 kg each: `a` soft, at 1.08 of its length and 790 N, `b` within 1.01."""
+    ropes = [
+        rw.Rope(
+            name=name, segments=4, length=10.0, loads=[{"node": -1, "mass": 80.0}],
+            made_of=rw.Material(EA=EA, mass_per_length=0.05, breaking_load=strength),
+            shape={"kind": "straight", "start": (x, 0, 0), "end": (x, 0, -10)},
+        )
+        for name, x, EA, strength in (("a", 0.0, 1e4, load), ("b", apart, 1e5, 5e3))
+    ]  # fmt: skip
+    anchors = [{"rope": name, "node": 0} for name in "ab"]
+    return rw.Scene(ropes=ropes, anchors=anchors, limiter={"max_stretch": 1.01}).replace(**more)
+
+
+def test_what_is_past_breaking_without_the_limiter_is_told_as_the_least() -> None:
+    found = rw.check(loaded(), measure=False)
+    a, b = found.as_dict()["ropes"]
+    assert a["utilisation"] == a["worst"] == pytest.approx(1.5794, rel=1e-3)
+    assert "at least 158 % of the breaking load, safety factor at most 0.633; it would" in str(
+        found
+    )
+    assert any("carries at least 1.58 times" in text for text in found.warnings)
+    assert (b["utilisation"], b["limited"], b["at_least"]) == (
+        pytest.approx(0.1579, rel=1e-3),
+        0,
+        0,
+    )
+    rest = rw.equilibrium(loaded())
+    used = "largest utilisation of the breaking load"
+    assert rest.table[f"{used} [%]"] == pytest.approx(157.94, rel=1e-3)
+    assert rest.table[f"about the {used}"].startswith("it is at least that")
+    assert {"rest beyond limiter", "above breaking load"} <= set(kinds(rest))
+    assert "Rope a: at least 158 %" in margin_notes(rest, 0, 1)[0]
+    made = rw.sheet(loaded(), run=False, convergence=False)
+    assert made.section("Summary").items[0].rows[0][-2:] == (
+        "at least 158 %, rope 'a'",
+        "at most 0.633",
+    )
+    said = [item.words for item in made.section("At rest").items if isinstance(item, Text)]
+    assert any(": at least 158 % (safety factor at most 0.633)" in text for text in said)
+
+
+def test_below_breaking_it_is_not_known_of_what_the_limiter_would_hold() -> None:
+    """Of the whole nothing is known either: the rope that would be held may come nearest."""
+    a, b = rw.check(loaded(5e3), measure=False).as_dict()["ropes"]
+    assert (a["utilisation"], a["worst"], a["doubt"]) == (None, None, None)
+    assert b["worst"] == pytest.approx(0.1579, rel=1e-3)
+    assert "largest utilisation of the breaking load [%]" not in rw.equilibrium(loaded(5e3)).table
+
+
+def test_what_is_joined_to_it_is_not_known_either() -> None:
+    tie = {"points": [{"rope": "a", "node": -1}, {"rope": "b", "node": -1}]}
+    scene = loaded(5e3, 0.0, joints=[tie])
+    for rope in rw.check(scene, measure=False).as_dict()["ropes"]:
+        assert (rope["limited"], rope["utilisation"]) == (True, None)
+
+
+def test_the_least_of_a_guess_beyond_breaking_is_told() -> None:
+    rope = loaded().ropes[0]
+    guess = [{"of": "breaking_load", "value": 1000.0, "low": 660.0, "high": 1500.0}]
+    made_of = rope.made_of.replace(breaking_load=1000.0, guess=guess)
+    scene = loaded(ropes=[rope.replace(made_of=made_of)], anchors=[{"rope": "a", "node": 0}])
+    rest, ropes = rw.equilibrium(scene), rw.check(scene, measure=False).as_dict()["ropes"]
+    assert ropes[0]["worst"] == pytest.approx(1.19, abs=0.01)
+    assert ropes[0]["utilisation"] < 1.0
+    assert any(key.startswith("largest utilisation with the least") for key in rest.table)
+    assert "guess" in kinds(rest)
+    assert "above breaking load" not in kinds(rest)
+
+
+def test_a_stretch_of_little_more_than_one_is_told_apart_from_it() -> None:
+    scene = loaded().replace(**{"rope.made_of.EA": 2e6, "limiter.max_stretch": 1.0})
+    said = " ".join(rw.check(scene, measure=False).warnings)
+    assert "(at most 1) acts even at rest" in said
+    assert "would stretch to 1.0004;" in said
+    assert (
+        "is 1.0004 of its length and it allows 1:"
+        in rw.equilibrium(scene).table["about the stretch limiter"]
+    )

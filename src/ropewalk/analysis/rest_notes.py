@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
-from ropewalk.record.limiter_at_rest import WITHOUT, stretches_beyond
+from ropewalk.record.joined_ropes import joined_ropes
+from ropewalk.record.limiter_at_rest import WITHOUT, stretches_apart, stretches_beyond
 from ropewalk.scene.joint import tied_ropes
 from ropewalk.statics import Statics
 from ropewalk.statics.refusal import weight_left
@@ -51,24 +52,31 @@ def _lying(model: Model, statics: Statics) -> set[str]:
     return {name for group in groups if group & on for name in group}
 
 
-def beyond_limiter(model: Model, statics: Statics) -> Floats:
-    """Return how far segments stretch at rest [1] that a stretch limiter would not let: a part of all."""
-    limiter = model.system.limiter
+def beyond_limiter(model: Model, statics: Statics) -> NDArray[np.bool_]:
+    """Tell which segments stretch at rest as a stretch limiter would not let them, (s,)."""
+    limiter, stiffness = model.system.limiter, model.state.stiffness
     if not limiter.active:
-        return np.zeros(0)
-    bounded = np.isfinite(model.state.stiffness) & (model.state.stiffness > 0.0)
-    stretch = statics.stretch[bounded & (model.state.rest_length > 0.0)]
-    return stretch[stretches_beyond(limiter.longest, stretch)]
+        return np.zeros(stiffness.size, dtype=bool)
+    bounded = np.isfinite(stiffness) & (stiffness > 0.0) & (model.state.rest_length > 0.0)
+    return bounded & stretches_beyond(limiter.longest, statics.stretch)
+
+
+def ropes_beyond_limiter(model: Model, statics: Statics) -> tuple[set[str], set[str]]:
+    """Return the ropes that rest beyond a stretch limiter, and with them those that are joined to them."""
+    over = np.flatnonzero(beyond_limiter(model, statics))
+    beyond = {model.layout.rope_of(int(segment))[0] for segment in over}
+    return beyond, joined_ropes(model.scene, model.layout, beyond)
 
 
 def limiter_warnings(model: Model, statics: Statics) -> list[str]:
     """Return a sentence for weights that the springs carry only beyond the limiter's length."""
-    over = beyond_limiter(model, statics)
+    over = statics.stretch[beyond_limiter(model, statics)]
     if not over.size:
         return []
+    most, allowed = stretches_apart(float(over.max()), model.system.limiter.longest)
     return [
-        f"the stretch limiter (at most {model.system.limiter.longest:g}) acts even at rest, on "
-        f"{counted(over.size, 'segment')}: the springs alone would stretch to {over.max():.3g}; the "
+        f"the stretch limiter (at most {allowed}) acts even at rest, on "
+        f"{counted(over.size, 'segment')}: the springs alone would stretch to {most}; the "
         f"limiter, not the spring constant, carries the rope. {WITHOUT[:1].upper()}{WITHOUT[1:]}"
     ]
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ropewalk.analysis.rest_notes import beyond_limiter, may_say_nothing
+from ropewalk.analysis.rest_notes import may_say_nothing, ropes_beyond_limiter
 from ropewalk.analysis.strains import softer_words, strain_words, words_of_curve
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
@@ -37,7 +37,7 @@ _OF_REST = (  # None where it is not at rest
     "anchor_bears",
     "parts_at_rest",
 )
-_OF_MARGIN = ("utilisation", "worst")  # None where a limiter would act
+_OF_MARGIN = ("utilisation", "worst", "doubt")  # None where a limiter would act
 _SHORT = 0.01  # a curve's chords are a little shorter than its arcs
 
 
@@ -78,7 +78,13 @@ class RopeCheck:
     parts_at_rest: bool = (
         False  # whether a segment does; an anchor may bear more than that beside it
     )
-    limited: bool = False  # whether it rests beyond a stretch limiter, which rest is without
+    limited: bool = False  # whether it, or what is joined to it, rests beyond a stretch limiter
+    at_least: bool = False  # whether itself does: rest is without the limiter, so it carries more
+
+    @property
+    def unknown(self) -> bool:
+        """Whether a limiter leaves open how near to breaking it comes: it may not, as far as is known."""
+        return self.limited and (self.worst is None or self.worst <= 1.0)
 
     def lines(self) -> list[str]:
         """What it is, and what it carries at rest; one fact a line."""
@@ -97,14 +103,15 @@ class RopeCheck:
         text += self._anchor_line()
         if self.largest_push > 0.0:
             text.append(f"  at rest: largest push {prefixed(self.largest_push, 'N', 5)}")
-        if self.utilisation is not None and self.limited and self.utilisation <= 1.0:
+        if self.utilisation is not None and self.unknown:
             text.append("  at rest: how near to breaking is not known, for the stretch limiter")
         elif self.utilisation is not None:
             beyond = "it would have parted"
             if self.parts:
                 beyond = "it parts" if self.parts_at_rest else "with more segments it parts"
             doubt = f"; {self.doubt}" if self.doubt else ""
-            text.append(f"  at rest: {margin_words(self.utilisation, beyond)}{doubt}")
+            near = margin_words(self.utilisation, beyond, least=self.at_least)
+            text.append(f"  at rest: {near}{doubt}")
         if self.slack or self.short:
             text.append(f"  segments slack at rest {self.slack}, started too short {self.short}")
         return text
@@ -123,9 +130,9 @@ class RopeCheck:
     def as_dict(self) -> dict[str, object]:
         """Plain values; None for all that is said of rest where it is not at rest.
 
-        And for how near to breaking it comes where a limiter would carry it.
+        And for how near to breaking it comes where a limiter would carry it, and it is not beyond already.
         """
-        unknown = _OF_REST if not self.rests else _OF_MARGIN if self.limited else ()
+        unknown = _OF_REST if not self.rests else _OF_MARGIN if self.unknown else ()
         return vars(self) | dict.fromkeys(unknown)
 
     def waves(self) -> str:
@@ -146,12 +153,12 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
     """Return what a check says of the rope of this name."""
     rope, span = model.scene.rope_named(name), model.layout.span(name)
     segments = slice(span.start, span.end)
-    state = model.state
     own = rope.own_mass / max(rope.nodes - (0 if rope.made_of.kind == "springs" else 1), 1)
-    rest, tension = state.rest_length[segments], statics.tension[segments]
+    rest, tension = model.state.rest_length[segments], statics.tension[segments]
     rests = statics.solved or not may_say_nothing(model)
     load = breaking_load(rope) if rests else None
-    size = np.linalg.norm(np.diff(state.x[:, span.start : span.end + 1], axis=1), axis=0)
+    beyond, limited = ropes_beyond_limiter(model, statics)
+    size = np.linalg.norm(np.diff(model.state.x[:, span.start : span.end + 1], axis=1), axis=0)
     over = float(statics.left[span.start])
     left = over if statics.solved else 0.0  # else it is no rounding
     taut = (tension > 0.0) & ~statics.slack[segments]
@@ -199,7 +206,8 @@ def rope_check(model: Model, statics: Statics, name: str) -> RopeCheck:
         else None,
         anchor_bears=bears,
         parts_at_rest=rope.strength < math.inf and load is not None and largest > load,
-        limited=beyond_limiter(model, statics).size > 0,
+        limited=name in limited,
+        at_least=name in beyond,
     )
 
 

@@ -194,7 +194,8 @@ def parting_warnings(scene: Scene, ropes: tuple[RopeCheck, ...]) -> list[str]:
 def breaking_warnings(ropes: tuple[RopeCheck, ...]) -> list[str]:
     """Return warnings of ropes that carry more than their breaking load at rest, or may, and cannot part."""
     return [
-        f"rope {rope.name!r}: at rest it carries {times_up(rope.utilisation)} times its breaking load; "
+        f"rope {rope.name!r}: at rest it carries {'at least ' if rope.at_least else ''}"
+        f"{times_up(rope.utilisation)} times its breaking load; "
         f"in the run it does not part{f'; {rope.doubt}' if rope.doubt else ''}"
         for rope in ropes
         if rope.utilisation is not None and rope.worst is not None

@@ -28,32 +28,30 @@ def margin_notes(result: Result, first: int, stop: int) -> list[str]:
         if now is None or until is None:
             return []
         return [
-            f"{now[0]}{percent_up(100.0 * now[1], 3)} of the breaking load at this moment.",
-            f"{until[0]}at most {margin_words(*until[1:3])} since the start{_more(until[3])}.",
+            f"{now[0]}{percent_up(100.0 * now[3], 3)} of the breaking load at this moment.",
+            f"{until[0]}{until[1]} since the start{_more(until[2])}.",
         ]
     found = _nearest(result, first, stop)
-    return (
-        []
-        if found is None
-        else [f"{found[0]}at most {margin_words(*found[1:3])}{_more(found[3])}."]
-    )
+    return [] if found is None else [f"{found[0]}{found[1]}{_more(found[2])}."]
 
 
 def _more(doubt: str) -> str:
     return f"; {doubt}" if doubt else ""
 
 
-def _nearest(result: Result, first: int, stop: int) -> tuple[str, float, str, str] | None:
-    """Return the rope that comes nearest, as words begin, and its utilisation.
+def _nearest(result: Result, first: int, stop: int) -> tuple[str, str, str, float] | None:
+    """Return the rope that comes nearest, as words begin, how near, and what guesses make of that.
 
-    With what came of more than 1, and what guesses make of it.
+    With its utilisation [1].
     """
     found = _margin(result, first, stop)
     if found is None:
         return None
     whose = f"Rope {escape(found.name)}: " if len(result.scene.ropes) > 1 else "The rope: "
     beyond = _beyond(result, result.scene.rope_named(found.name), stop)
-    return whose, found.utilisation, beyond, escape(doubt_words(result.scene, found))
+    near = margin_words(found.utilisation, beyond, least=found.least)
+    near = near if found.least else f"at most {near}"
+    return whose, near, escape(doubt_words(result.scene, found)), found.utilisation
 
 
 def _margin(result: Result, first: int, stop: int) -> Margin | None:

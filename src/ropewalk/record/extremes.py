@@ -13,8 +13,15 @@ from ropewalk.core.peaks import EXTREMES
 from ropewalk.record.borne import Borne, borne_at
 from ropewalk.record.drums import rope_place
 from ropewalk.record.facts import AT_REST
+from ropewalk.record.joined_ropes import joined_ropes
 from ropewalk.record.limiter_at_rest import rests_beyond
-from ropewalk.record.margins import Margin, breaking_loads, guessed_worst, utilisations
+from ropewalk.record.margins import (
+    Margin,
+    breaking_load,
+    breaking_loads,
+    guessed_worst,
+    utilisations,
+)
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.knotted import knotted_worst, least_worst
 
@@ -139,15 +146,21 @@ def _utilisation(result: Result, pull: Extreme) -> dict[str, Extreme]:
 def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
     """Return how near a run comes to breaking by its extremes; None where that is not known.
 
-    Nor is it at rest where a stretch limiter would carry, which takes no part in that: it may be far nearer.
+    Nor is it at rest where a stretch limiter would carry, which takes no part in that: a rope may be far
+    nearer. What comes beyond its breaking load without it, or may, is told: it is the least.
     """
-    if rests_beyond(result, found):
-        return None
     near = [found[name] for name in (UTILISATION, GUESSED, KNOTTED, DOUBTED) if name in found]
     if not near or math.isnan(near[0].value):
         return None
     use, guess, knot, both = ((result.layout.rope_of(one.place)[0], one.value) for one in near)
-    return Margin(*use, *guess, *knot, *both)
+    told, scene = Margin(*use, *guess, *knot, *both), result.scene
+    beyond = rests_beyond(result, found)
+    changed = joined_ropes(scene, result.layout, beyond) if beyond else set()
+    if all(breaking_load(rope) is None for rope in scene.ropes if rope.name in changed):
+        return told
+    if least_worst(scene.rope_named(told.doubted), told.as_given) <= 1.0:
+        return None
+    return told._replace(least=told.name not in changed - beyond)  # what is joined may be relieved
 
 
 def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:

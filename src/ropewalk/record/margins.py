@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ropewalk.scene import Rope, Scene
 
 _LEAST = "largest utilisation with the least of a guessed breaking load"
+AT_LEAST = "it is at least that, as the stretch limiter takes no part in rest"
 _OF_BOTH = f"{_LEAST}, and of what its knot leaves"
 
 
@@ -65,6 +66,7 @@ class Margin(NamedTuple):
         str  # the rope that comes nearest with the least that knots leave of the least of guesses
     )
     as_given: float  # its utilisation, of its breaking load without the knot, as it was guessed [1]
+    least: bool = False  # whether it is more, as rest is without a stretch limiter that would act
 
 
 def margin_of(scene: Scene, utilisation: dict[str, float]) -> Margin:
@@ -84,11 +86,17 @@ def guessed_worst(rope: Rope, utilisation: float) -> float:
 
 
 def doubt_words(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
-    """Return what guesses and knots make of the greatest utilisation; "" where there is neither.
+    """Return what guesses, knots and a limiter make of the greatest utilisation; "" where there is none.
 
     `then`: what is to be done about a stiffness, or was done.
     """
-    told = (guess_doubt(scene, margin, then), knot_words(scene, margin), both_words(scene, margin))
+    least = AT_LEAST if margin.least else ""
+    told = (
+        least,
+        guess_doubt(scene, margin, then),
+        knot_words(scene, margin),
+        both_words(scene, margin),
+    )
     return "; ".join(text for text in told if text)
 
 
@@ -151,9 +159,21 @@ def margin_rows(margin: Margin, place: str, scene: Scene) -> dict[str, Any]:
     }
 
 
-def margin_words(utilisation: float, beyond: str = "it would have parted") -> str:
-    """Return how near to breaking, as a sentence without its full stop; `beyond` it, what comes of that."""
-    text = f"{percent_up(100.0 * utilisation, 3)} of the breaking load"
-    if utilisation > 0.0:
-        text += f", safety factor {safety_factor(utilisation)}"
+def margin_bounds(utilisation: float, *, least: bool) -> tuple[str, str]:
+    """Return a utilisation and its safety factor in words, "" unloaded; `least`: it is no less."""
+    used = f"{'at least ' if least else ''}{percent_up(100.0 * utilisation, 3)}"
+    most = "at most " if least else ""
+    return used, f"{most}{safety_factor(utilisation)}" if utilisation > 0.0 else ""
+
+
+def margin_words(
+    utilisation: float, beyond: str = "it would have parted", *, least: bool = False
+) -> str:
+    """Return how near to breaking, as a sentence without its full stop; `beyond` it, what comes of that.
+
+    `least`: it is no less, see `Margin`.
+    """
+    used, factor = margin_bounds(utilisation, least=least)
+    text = f"{used} of the breaking load"
+    text += f", safety factor {factor}" if factor else ""
     return text + (f"; {beyond}" if beyond and utilisation > 1.0 else "")

@@ -18,6 +18,7 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import SLACK, energy_of_rounding
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
+from ropewalk.record.joined_ropes import joined_ropes
 from ropewalk.record.turnover import own_kinetic
 from ropewalk.words.percents import percent
 
@@ -49,7 +50,7 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
     about = slice(max(frame - 1, 0), frame + 1)
     moving, taut = own_kinetic(result)[about], result.energy["elastic"][about]
     rope = result.scene.rope_named(result.layout.rope_of(peak.place)[0])
-    joined = _joined(result, rope.name)
+    joined = joined_ropes(result.scene, result.layout, {rope.name})
     if len(joined) < len(result.scene.ropes):  # what others have hides nothing
         own = _own(result, joined, about)
         moving, taut = np.minimum(moving, own[0]), np.minimum(taut, own[1])
@@ -77,19 +78,6 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
         f"{percent(100.0 * in_step)} (in step with it), a guess and no bound; compare it with a run of "
         f"{_finer(result)}"
     )
-
-
-def _joined(result: Result, name: str) -> set[str]:
-    """Return the ropes that a rope may hand energy to: by joints, slides, pulleys, or as they touch."""
-    scene, layout = result.scene, result.layout
-    if scene.contact is not None or layout.pulleys:
-        return {rope.name for rope in scene.ropes}
-    ties = [{tie.rope for tie in one.points} for one in scene.joints]
-    ties += [{one.rope, one.on} for one in scene.slides]
-    joined = {name}
-    for _ in scene.ropes:
-        joined |= set().union(*(tie for tie in ties if tie & joined))
-    return joined
 
 
 def _own(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats]:

@@ -11,7 +11,7 @@ from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, pla
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.landings import landings_of
 from ropewalk.record.limiter_at_rest import rests_beyond
-from ropewalk.record.margins import Margin, doubt_words
+from ropewalk.record.margins import Margin, doubt_words, margin_bounds
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.note_kinds import BETWEEN
@@ -22,7 +22,6 @@ from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.ropes import NO_DRAG
 from ropewalk.statics.wraps import MANY, coarse_words
 from ropewalk.words.prefixes import prefixed
-from ropewalk.words.safe_side import percent_up, safety_factor
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -330,8 +329,8 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
     if near is None:
         return "not known", ""
     whose = f", rope {near.name!r}" if len(result.scene.ropes) > 1 else ""
-    factor = safety_factor(near.utilisation) if near.utilisation > 0.0 else ""
-    return f"{percent_up(100.0 * near.utilisation, 3)}{whose}", factor
+    used, factor = margin_bounds(near.utilisation, least=near.least)
+    return f"{used}{whose}", factor
 
 
 def _utilisation(result: Result, then: str) -> list[Item]:
@@ -342,12 +341,12 @@ def _utilisation(result: Result, then: str) -> list[Item]:
         return [Text(unknown, warning=True)]
     if near is None:
         return [Text("No breaking load is given: how near to breaking is not known.", warning=True)]
-    share, place = 100.0 * near.utilisation, place_of(result, UTILISATION, found[UTILISATION])
+    place = place_of(result, UTILISATION, found[UTILISATION])
     if result.status == "at rest":
         place = place.partition(",")[0]
-    used = near.utilisation
-    factor = f"safety factor {safety_factor(used)}" if used > 0.0 else "unloaded"
-    text = f"Largest utilisation of the breaking load: {percent_up(share, 3)} ({factor}), {place}."
+    used, factor = margin_bounds(near.utilisation, least=near.least)
+    factor = f"safety factor {factor}" if factor else "unloaded"
+    text = f"Largest utilisation of the breaking load: {used} ({factor}), {place}."
     doubt = doubt_words(result.scene, near, then)
     text += f" {doubt[0].upper()}{doubt[1:]}." if doubt else ""
     if near.utilisation <= 1.0:
