@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 import ropewalk as rw
 from ropewalk.record.extremes import extremes
 from ropewalk.record.landings import landings_of
 from ropewalk.record.note_kinds import kinds
+from ropewalk.record.peak_energy import _told
 from ropewalk.record.too_low import anchor_too_low
 from ropewalk.scene import (
     Anchor,
@@ -219,27 +221,75 @@ def test_what_another_rope_lost_is_no_share_of_a_peak(joined: bool) -> None:
     )
     run = RunSettings(duration=2.0, method="implicit-euler", time_step=0.01)
     table = rw.simulate(Scene(**{"ropes": ropes, "anchors": anchors, "run": run} | more)).table
-    assert ("which nothing joins" in table[PULL]) != joined
+    assert ("what other ropes lost" in table[PULL]) != joined
     assert ("if that belongs in it" in table[PULL]) == joined
 
 
-def test_what_another_rope_has_does_not_hide_a_loss() -> None:
-    """A soft rope that lies stretched beside it, nowhere joined, silenced what was told of the first."""
-    shape = Straight(start=(0, 0, 0), direction=(0, 0, -1))
-    made_of = Material(EA=1e3, mass_per_length=0.5)
-    drops = Rope(name="drops", segments=5, length=3.0, made_of=made_of, shape=shape)
-    soft = Rope(
-        name="soft", segments=2, length=100.0, made_of=Material(EA=5.0, mass_per_length=1e-3),
-        shape=Straight(start=(0, 5, 0), end=(300, 5, 0)),
-    )  # fmt: skip
-    ends = tuple(Anchor(rope="soft", node=node) for node in (0, -1))
+def hung(name: str, y: float, **made_of: Any) -> Rope:
+    """A rope that hangs down, drawn at its length."""
+    stuff = Material(mass_per_length=0.5, **made_of)
+    shape = Straight(start=(0, y, 0), direction=(0, 0, -1))
+    return Rope(name=name, segments=5, length=3.0, made_of=stuff, shape=shape)
+
+
+def dropping(*others: Rope, **more: Any) -> Scene:
+    """A soft rope that drops into its own stretch, held at its top as all others are."""
+    ropes = (hung("drops", 0, EA=1e3), *others)
+    held = tuple(Anchor(rope=rope.name, node=0) for rope in ropes)
+    taut = tuple(Anchor(rope=rope.name, node=-1) for rope in ropes if rope.name == "soft")
     run = RunSettings(duration=0.5, method="implicit-euler", time_step=0.02)
-    alone = Scene(ropes=(drops,), anchors=(Anchor(rope="drops", node=0),), run=run)
-    beside = alone.replace(ropes=(drops, soft), anchors=(*alone.anchors, *ends))
-    told = [rw.simulate(scene).table for scene in (alone, beside)]
+    return Scene(**{"ropes": ropes, "anchors": held + taut, "run": run} | more)
+
+
+#: 1 kJ in a rope that lies stretched.
+SOFT = Rope(
+    name="soft", segments=2, length=100.0, made_of=Material(EA=5.0, mass_per_length=1e-3),
+    shape=Straight(start=(0, 5, 0), end=(300, 5, 0)),
+)  # fmt: skip
+STEEL = hung("steel", 10, EA=1e5)
+PAYS = {"rope": "steel", "end": "start", "speed": 0.1}
+STILL = {"rope": "drops", "end": "start", "speed": 1e-9}
+RUBBER = {"kind": "neo-hookean", "EA": 1e5, "largest_strain": 1.0}
+
+
+@pytest.mark.parametrize(
+    ("others", "more"),
+    [
+        ((SOFT,), {}),
+        ((SOFT, STEEL), {"winches": [PAYS]}),  # of which the frames do not tell the masses
+        ((SOFT,), {"winches": [STILL]}),  # of all less that of the others
+        ((SOFT, hung("rubber", 10, curve=RUBBER)), {"winches": [STILL]}),
+        ((SOFT, hung("creeps", 10, EA=1e5, relaxing_EA=1e5, relaxation_time=0.1)), {}),
+    ],
+)
+def test_what_another_rope_has_does_not_hide_a_loss(
+    others: tuple[Rope, ...], more: dict[str, Any]
+) -> None:
+    """A soft rope that lies stretched beside it, nowhere joined, silenced what was told of the first."""
+    told = [rw.simulate(scene).table for scene in (dropping(), dropping(*others, **more))]
     assert "rope 'drops'" in told[1]["largest tension at"]
     assert told[1]["largest tension [N]"] == pytest.approx(told[0]["largest tension [N]"])
     assert "of motion and stretch of all ropes" in told[0][PULL]
-    assert "of this rope and what is joined to it" in told[1][PULL]
-    about = [table[PULL].partition("beside ")[2].partition(" J")[0] for table in told]
+    assert "this rope had" in told[1][PULL]
+    about = [re.findall(r"([\d.]+) J of motion", table[PULL])[0] for table in told]
     assert float(about[1]) == pytest.approx(float(about[0]), rel=0.02)
+
+
+def test_energy_of_ropes_that_frames_do_not_tell_apart_is_told_as_that_of_all() -> None:
+    """It was told as that of this rope and what is joined to it."""
+    table = rw.simulate(dropping(STEEL, winches=[STILL, PAYS])).table
+    assert "all ropes, as their shares are not recorded, had" in table[PULL]
+    assert "If this rope lost energy" in table[PULL]
+
+
+@pytest.mark.parametrize("made_of", [{"EA": 1e3}, {"curve": RUBBER | {"EA": 1e3}}])
+@pytest.mark.parametrize("method", ["implicit-euler", "generalized-alpha"])
+def test_energies_told_of_single_ropes_are_those_of_the_ledger(
+    made_of: dict[str, Any], method: str
+) -> None:
+    scene = dropping(hung("other", 10, **made_of)).replace(**{"run.method": method})
+    result = rw.simulate(scene)
+    parts = [_told(result, {name}, slice(0, result.frames)) for name in ("drops", "other")]
+    for form, told in zip(("kinetic", "elastic"), np.sum(parts, axis=0), strict=True):
+        assert float(told.max()) > 0.1
+        assert told == pytest.approx(result.energy[form], rel=1e-9, abs=1e-9)

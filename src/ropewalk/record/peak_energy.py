@@ -20,10 +20,12 @@ from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.record.joined_ropes import joined_ropes
 from ropewalk.record.turnover import own_kinetic
+from ropewalk.theory.curve import at_strain, at_tension
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
+    from ropewalk.scene import Rope
 
 _TOLD = 2.0  # [%] of the energy then: 1 % of the force, but up to 12.5 % of motions in step
 
@@ -32,11 +34,11 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
     """Say by how much the largest tension may be too low for the energy that was lost until then; else "".
 
     What was lost since the run began, L, of all ropes, beside the energy of motion and stretch about it, E,
-    of those that hang together with its own. Forces go by the root of the energy. Where L would have come
-    into the peak, it would be larger by sqrt(1 + L / E) if the two have nothing to do with each other, and by
-    1 + sqrt(L / E) if they swing in step. It is no bound: what was lost elsewhere has nothing to do with the
-    peak, and what segments or steps blur besides is not in it. Energies of explicit methods swing with the
-    step, and say nothing of a peak.
+    of those that hang together with its own, see `_energy_of`. Forces go by the root of the energy. Where L
+    would have come into the peak, it would be larger by sqrt(1 + L / E) if the two have nothing to do with
+    each other, and by 1 + sqrt(L / E) if they swing in step. It is no bound: what was lost elsewhere has
+    nothing to do with the peak, and what segments or steps blur besides is not in it. Energies of explicit
+    methods swing with the step, and say nothing of a peak.
     """
     plan = result.plan
     if result.status != FINISHED or not result.facts.ledger or result.facts.provenance.get("live"):
@@ -48,47 +50,63 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
     errors = errors[np.isfinite(errors).all(axis=1)]
     lost = float(errors.max() - errors[-1].min()) if errors.size else 0.0
     about = slice(max(frame - 1, 0), frame + 1)
-    moving, taut = own_kinetic(result)[about], result.energy["elastic"][about]
     rope = result.scene.rope_named(result.layout.rope_of(peak.place)[0])
     joined = joined_ropes(result.scene, result.layout, {rope.name})
-    if len(joined) < len(result.scene.ropes):  # what others have hides nothing
-        own = _own(result, joined, about)
-        moving, taut = np.minimum(moving, own[0]), np.minimum(taut, own[1])
-    there = float((moving + taut).max())
+    energy, alone = _energy_of(result, joined, about)
+    there = float(energy.max())
     slack = SLACK * rope.segment_stiffness * rope.segment_length
     if not lost > energy_of_rounding(result.scene) or (peak.value < slack and not rope.rigid):
         return ""
     if not (there > 0.0 and 100.0 * lost > _TOLD * (there + lost)):
         return ""
-    head = (
-        f"{plan.method} lost {lost:.3g} J until then, beside {there:.3g} J of motion and stretch of"
-    )
+    head, compare = f"{plan.method} lost {lost:.3g} J until then", f"a run of {_finer(result)}"
     if len(joined) < len(result.scene.ropes):
+        own = "this rope" if len(joined) == 1 else "this rope and those joined to it"
+        all_ropes = "all ropes, as their shares are not recorded,"
         return (
-            f"{head} this rope and what is joined to it: what others lost, which nothing joins to them, has "
-            "nothing to do with it; if these lost it, it may be too low; compare it with a run of "
-            f"{_finer(result)}"
+            f"{head}, in all ropes together; {own if alone else all_ropes} had {there:.3g} J of motion and "
+            f"stretch about then. If {own} lost energy, the peak may be too low; what other ropes lost has "
+            f"nothing to do with it. Compare the peak with {compare}"
         )
     apart, in_step = (
         1.0 - 1.0 / math.sqrt(1.0 + lost / there),
         1.0 - 1.0 / (1.0 + math.sqrt(lost / there)),
     )
     return (
-        f"{head} all ropes: if that belongs in it, it is too low by some {percent(100.0 * apart)} to "
-        f"{percent(100.0 * in_step)} (in step with it), a guess and no bound; compare it with a run of "
-        f"{_finer(result)}"
+        f"{head}, beside {there:.3g} J of motion and stretch of all ropes: if that belongs in it, it is too "
+        f"low by some {percent(100.0 * apart)} to {percent(100.0 * in_step)} (in step with it), a guess and "
+        f"no bound; compare it with {compare}"
     )
 
 
-def _own(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats]:
-    """Return the energies of motion and of stretch of some ropes alone in frames [J], (frames,) each.
+def _energy_of(result: Result, joined: set[str], about: slice) -> tuple[Floats, bool]:
+    """Return the energy of motion and stretch of ropes that hang together in frames [J], (frames,).
 
-    Infinite where frames do not tell: of what winches wind, and of stretch that is no straight line.
+    What frames do not tell of them is what all have less what the others have. Where they do not tell that,
+    either, as of two winches, it is of all ropes: then the second value is False.
+    """
+    forms = [own_kinetic(result)[about], result.energy["elastic"][about]]
+    others = {rope.name for rope in result.scene.ropes} - joined
+    if not others:
+        return forms[0] + forms[1], True
+    whole = [result.energy["kinetic"][about], forms[1]]
+    told, rest = _told(result, joined, about), _told(result, others, about)
+    own = [
+        np.where(np.isnan(one), every - other, one)
+        for one, every, other in zip(told, whole, rest, strict=True)
+    ]
+    energy: Floats = np.fmin(forms[0], own[0]) + np.fmin(forms[1], own[1])
+    return energy, not np.isnan(own).any()
+
+
+def _told(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats]:
+    """Return the energies of motion and of stretch of some ropes in frames [J], (frames,) each.
+
+    NaN where frames do not tell: of what winches wind, and of stretch that relaxes.
     """
     layout, frames = result.layout, about.stop - about.start
     moving, taut = np.zeros(frames), np.zeros(frames)
-    if result.scene.winches:
-        return moving + math.inf, taut + math.inf
+    wound = {winch.rope for winch in result.scene.winches}
     mass = masses(layout, tuple(line(rope) for rope in result.scene.ropes))[0]
     v = np.nan_to_num(result.read("velocities", about.start, about.stop))
     name = "elastic_tension" if result.has_total_tension else "tension"
@@ -96,14 +114,25 @@ def _own(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats]
     for rope, span in zip(result.scene.ropes, layout.ropes, strict=True):
         if rope.name not in names:
             continue
+        if rope.name in wound:
+            return moving + math.nan, taut + math.nan
         nodes = slice(span.first, span.last + 1)
         moving += 0.5 * (mass[nodes] * (v[:, nodes] ** 2).sum(axis=2)).sum(axis=1)
-        if rope.rigid:
-            continue
-        if getattr(rope.made_of, "curve", None) or getattr(rope.made_of, "relaxing_EA", None):
-            return moving, taut + math.inf
-        taut += (pull[:, span.first : span.last] ** 2).sum(axis=1) / (2.0 * rope.segment_stiffness)
+        taut += _stretch(rope, pull[:, span.first : span.last]).sum(axis=1)
     return moving, taut
+
+
+def _stretch(rope: Rope, pull: Floats) -> Floats:
+    """Return what segments store at elastic tensions [N], of any shape [J]; NaN of a rope that relaxes."""
+    if rope.rigid:
+        return np.zeros_like(pull)
+    if getattr(rope.made_of, "relaxing_EA", None):
+        return np.full_like(pull, math.nan)
+    if curve := getattr(rope.made_of, "curve", None):
+        strain, _ = at_tension(curve.pieces, pull.ravel())
+        stored = at_strain(curve.pieces, strain)[2].reshape(pull.shape)
+        return rope.segment_length * stored
+    return pull**2 / (2.0 * rope.segment_stiffness)
 
 
 def _finer(result: Result) -> str:
