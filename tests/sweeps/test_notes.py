@@ -269,6 +269,8 @@ def test_what_check_warns_of_long_segments_is_noted_in_a_sweep() -> None:
     assert "long segments" not in kinds(rw.simulate(along))
     turned = along.replace(**{"obstacle.start": (-0.01, 0, 0), "obstacle.end": (0.01, 0, 0)})
     assert "long segments" in kinds(rw.simulate(turned))
+    said = dict(noted({"long segments": 2}, 3))["long segments"]  # a box has no radius
+    assert said.startswith("2 of 3 runs have segments long about an obstacle (see check)")
 
 
 def test_a_force_at_its_largest_in_the_first_frame_looked_at_is_seen_against_the_one_before() -> (

@@ -71,7 +71,7 @@ KINDS = {
     "mean anchor force": "have an anchor's force, the mean over a step, less than the tension beside it",
     "end weight": "have an anchor that bears half a segment's weight more than the largest tension",
     "beyond curve": "are stretched to where the curve or the EA of the rope is not its own any more",
-    "long segments": "have segments longer than twice an obstacle's radius: ropes may pass between nodes",
+    "long segments": "have segments long about an obstacle (see check): ropes may pass between nodes",
     "inside obstacle": "have a node whose middle was inside an obstacle, where no rope can be",
     "push": "have segments that push, which a rope does not",
     "slide ran off": "lost a slide at the end of a rope that had parted",
