@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 
@@ -32,7 +33,7 @@ from ropewalk.scene import (
 )
 from ropewalk.scene.presets import preset
 from ropewalk.simulation import Broken, Simulation
-from ropewalk.words.safe_side import rounded_down, rounded_up
+from ropewalk.words.safe_side import longest_step, rounded_down, rounded_up
 
 
 def report(
@@ -151,10 +152,23 @@ def test_a_stable_step_that_contact_asks_for_says_so() -> None:
     ball = {"kind": "sphere", "center": [0, 0, -1], "radius": 0.5, "compliance": 1e-7}
     run = {"method": "semi-implicit-euler", "duration": 0.1, "time_step": 1e-6}
     there = Scene.model_validate({"rope": [rope], "obstacle": [ball], "run": run})
-    assert ", pressed to obstacles, margin" in stability(build(there)).verdict
+    found = stability(build(there))
+    assert f"{longest_step(found.bound)} where it is pressed to obstacles, margin" in found.verdict
+    both = dataclasses.replace(
+        found, case="pressed to ropes, pressed to obstacles, with all rope paid out"
+    )
+    said = "where it is pressed to ropes and to obstacles, with all rope paid out, margin"
+    assert said in both.verdict
     alone = stability(build(there.replace(obstacles=[])))
     assert alone.bound > 10.0 * stability(build(there)).bound
     assert "pressed" not in alone.verdict
+
+
+def test_where_contact_breaks_a_run_is_said_once() -> None:
+    scene = preset("pile").replace(**{"run.method": "verlet", "run.time_step": 1e-3})
+    broken = check(scene, measure=False).warnings[0]
+    assert broken.count("pressed to") == 1
+    assert "where it is pressed to" in broken
 
 
 def test_a_released_anchor_counts_as_free() -> None:

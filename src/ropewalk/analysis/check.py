@@ -287,7 +287,8 @@ def _warnings(
 
 def _stability_warnings(found: Stability) -> list[str]:
     remedies = "; ".join(found.remedies)
-    where = f"rope {found.rope!r}, node {found.node}, {found.case}"
+    told = found.where_pressed or found.case in found.verdict
+    where = f"rope {found.rope!r}, node {found.node}{'' if told else f', {found.case}'}"
     if found.breaks:
         return [f"the run {found.verdict}, first at {where}. Change to: {remedies}"]
     if not found.stable:

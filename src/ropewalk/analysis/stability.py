@@ -40,7 +40,7 @@ _HARMLESS = 10.0
 _SLIGHT = 1.001  # [1] growth per step that says little on its own
 _RESOLVED = 2.0  # [1] frequency times step up to which a mode is followed, if roughly
 _SLACK = "where segments go slack"
-_PRESSED = "pressed"  # to obstacles, to ropes or to the ground: what touches asks for the step
+_PRESSED = "pressed to "  # obstacles, ropes or the ground: what touches asks for the step
 
 
 @dataclass(frozen=True)
@@ -170,9 +170,17 @@ class Stability:
         return tuple(found)
 
     @property
+    def where_pressed(self) -> str:
+        """Where what is touched asks for the step, in words; "" where it does not."""
+        parts = self.case.split(", ")
+        on = [part.removeprefix(_PRESSED) for part in parts if part.startswith(_PRESSED)]
+        beside = [part for part in parts if not part.startswith(_PRESSED)]
+        return ", ".join([f"where it is {_PRESSED}{' and to '.join(on)}", *beside]) if on else ""
+
+    @property
     def verdict(self) -> str:
         """One sentence."""
-        cause = f", {self.case}" if self.case.startswith(_PRESSED) else ""
+        cause = f" {self.where_pressed}" if self.where_pressed else ""
         bound = f"largest stable step of {self.method} {longest_step(self.bound)}{cause}"
         if self.tolerance is not None:
             tolerance = f"{1e3 * self.tolerance:.4g} mm"
