@@ -76,6 +76,7 @@ class Check:
     tolerance: float | None = None  # [m] of steps of varying length
     model: Model | None = field(default=None, repr=False, compare=False)  # what was checked
     why: str = ""  # why the method was chosen, where it was not given
+    in_full: tuple[str, ...] = ()  # the warnings with the names of all ropes that they are of
     torn: tuple[Torn, ...] = ()  # ropes that their anchors pull apart, with any method
     overlong: bool = False  # whether a segment counts as broken where it starts
 
@@ -108,7 +109,7 @@ class Check:
             "statics": {
                 "largest_tension": statics.largest_tension if rests else None,
                 "slack_segments": int(statics.slack.sum()) if rests else None,
-                "spans": [vars(span) for span in statics.spans] if rests else [],
+                "spans": [span.as_dict() for span in statics.spans] if rests else [],
                 "wraps": [wrap.as_dict() for wrap in statics.wraps] if rests else [],
                 "touches": [touch.as_dict() for touch in statics.touches] if rests else [],
                 "pulleys": [body.as_dict() for body in statics.pulleys] if rests else [],
@@ -123,7 +124,7 @@ class Check:
             "duration": self.duration,
             "estimated_seconds": self.seconds if self.seconds_known else None,
             "estimate_measured": self.seconds_measured,
-            "warnings": self.warnings,
+            "warnings": self.in_full,
             "highest_frequency_at_rest": self.highest_at_rest,
             "tolerance": self.tolerance,
             "why": self.why or None,
@@ -143,7 +144,7 @@ class Check:
             if single := sum(span.single for span in spans):
                 each = "" if single == 1 else " each"
                 text.append(
-                    f"  at rest: {counted(single, 'span')} of one segment{each}, without sag"
+                    f"  at rest: {counted(single, 'span')} of one segment{each}, whose sag is not computed"
                 )
             wraps = [wrap for wrap in self.statics.wraps if wrap.rope == rope.name and rope.rests]
             text += [f"  at rest: {wrap.words}" for wrap in wraps]
@@ -220,6 +221,9 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
     found = stability(model, statics)
     ropes = tuple(rope_check(model, statics, name.name) for name in model.layout.ropes)
     torn, overlong = tuple(torn_apart(model)), overlong_at_start(model)
+    said, names = _warnings(model, found, statics, ropes), [rope.name for rope in ropes]
+    grave = (*parting_warnings(model.scene, ropes), *breaking_warnings(ropes))
+    first = (*map(str, torn), *overlong, *jerks(model))
     cost, measured = seconds_per_step(model, measure)
     plan = model.plan
     return Check(
@@ -235,10 +239,8 @@ def check(source: Scene | Model, *, measure: bool = True) -> Check:
         seconds_measured=measured,
         seconds_known=measured or not touches(model),
         run_time=run_time(model, cost * plan.steps, measured),
-        warnings=(
-            *(*map(str, torn), *overlong, *jerks(model)),
-            *gathered(_warnings(model, found, statics, ropes), (rope.name for rope in ropes)),
-        ),
+        warnings=(*first, *gathered(said, names, named=grave)),
+        in_full=(*first, *gathered(said, names)),
         highest_at_rest=_highest_at_rest(model, statics) if measure else None,
         tolerance=plan.tolerance,
         why=plan.why,

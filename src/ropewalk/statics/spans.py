@@ -74,8 +74,12 @@ class RestSpan:
 
     @property
     def single(self) -> bool:
-        """Whether it is a span of one segment, which is straight however it hangs."""
+        """Whether it is a span of one segment, straight however it hangs: its sag is not computed."""
         return self.kind == "span" and abs(self.last - self.first) == 1
+
+    def as_dict(self) -> dict[str, object]:
+        """Plain values; None for the sag and the rise of a single segment."""
+        return vars(self) | (dict.fromkeys(("sag", "rise")) if self.single else {})
 
     @property
     def _tail(self) -> str:
@@ -89,7 +93,7 @@ class RestSpan:
     def hangs(self) -> str:
         """How far it sags below the line between its ends or, if that is more, rises above it."""
         if self.single:
-            return "one segment without sag"
+            return "one segment, whose sag is not computed,"
         floats = self.rise > self.sag
         along = " along gravity" if self.windy else ""
         return (f"rise {self.rise:.4g} m" if floats else f"sag {self.sag:.4g} m") + along

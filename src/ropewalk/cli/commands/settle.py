@@ -146,7 +146,7 @@ def _facts(result: Result, spans: tuple[RestSpan, ...], rest: Statics) -> dict[s
         "status": result.status,
         "results": {name: value for name, value in result.table.items() if name != "status"},
         "residual": result.residual,
-        "spans": [vars(span) for span in spans],
+        "spans": [span.as_dict() for span in spans],
         "wraps": [wrap.as_dict() for wrap in rest.wraps],
         "touches": [touch.as_dict() for touch in rest.touches],
         "seats": [
