@@ -10,7 +10,13 @@ from ropewalk.analysis.obstacle_notes import reckoned_speed
 from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.striking import pushes
 from ropewalk.lowering import Model
-from ropewalk.lowering.rebound_checks import RESOLVED, linear_to, masses_that_meet, swings
+from ropewalk.lowering.rebound_checks import (
+    RESOLVED,
+    linear_to,
+    masses_that_meet,
+    meeting_speed,
+    swings,
+)
 from ropewalk.statics import Statics
 from ropewalk.words.safe_side import rounded_down, rounded_up
 
@@ -82,19 +88,19 @@ def _of_ropes(model: Model, statics: Statics) -> list[str]:
         reckoned_speed(model, statics),
         masses_that_meet(model.system, model.state),
     )
-    shallow, deep = (speed * math.sqrt(soft * mass) for mass in (least, most))
+    both = meeting_speed(model.system, model.state, speed)
+    shallow, deep = speed * math.sqrt(soft * least), both * math.sqrt(soft * most)
     found = []
-    comes = f"contact: segments that meet at {speed:.3g} m/s, the fastest to reckon with, are pressed by"
     if 0.0 < shallow < RESOLVED * limit:
         finer, softer = shallow / RESOLVED, soft * (RESOLVED * limit / shallow) ** 2
         found.append(
-            f"{comes} {1e3 * shallow:.3g} mm, {shallow / limit:.2g} tolerances, and its restitution is right "
-            f"from {RESOLVED:g} on; take a run.tolerance of at most {rounded_down(finer, 2)} m, or a "
-            f"compliance of at least {rounded_up(softer, 2)} m/N"
+            f"{_meet(speed)} {1e3 * shallow:.3g} mm, {shallow / limit:.2g} tolerances, and its restitution "
+            f"is right from {RESOLVED:g} on; take a run.tolerance of at most {rounded_down(finer, 2)} m, or "
+            f"a compliance of at least {rounded_up(softer, 2)} m/N"
         )
     elif deep > allowed:
         found.append(
-            f"{comes} {1e3 * deep:.3g} mm, and contacts of ropes are linear to {1e3 * allowed:.3g} mm: "
+            f"{_meet(both)} {1e3 * deep:.3g} mm, and contacts of ropes are linear to {1e3 * allowed:.3g} mm: "
             f"beyond they throw back more; take a compliance of at most "
             f"{rounded_down(soft * (allowed / deep) ** 2, 2)} m/N"
         )
@@ -105,3 +111,7 @@ def _of_ropes(model: Model, statics: Statics) -> list[str]:
             f"{long[0].name!r} pull meanwhile, and what is left to its segments is not that"
         )
     return found
+
+
+def _meet(speed: float) -> str:
+    return f"contact: segments that meet at {speed:.3g} m/s, to be reckoned with, are pressed by"

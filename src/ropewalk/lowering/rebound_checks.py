@@ -55,7 +55,10 @@ def contact_rebound_faults(scene: Scene, system: System, state: State) -> Iterat
     yield from _by_method(scene.run.method, path, contact.restitution)
     if contact.compliance is None:
         told, (_, most) = _WHY, masses_that_meet(system, state)
-        speed, deep = fastest(system, state), _LESS * linear_to(system)
+        speed, deep = (
+            meeting_speed(system, state, fastest(system, state)),
+            _LESS * linear_to(system),
+        )
         if speed > 0.0 and most > 0.0:
             told += (
                 f"; with {rounded_down((deep / speed) ** 2 / most, 2)} segments that meet at {speed:.3g} m/s "
@@ -85,6 +88,13 @@ def masses_that_meet(system: System, state: State) -> tuple[float, float]:
         return 0.0, 0.0
     held = len(moves) < len(middles)
     return float(1.0 / ends.sum()), float(1.0 / (moves[0] if held else moves[:2].sum()))
+
+
+def meeting_speed(system: System, state: State, speed: float) -> float:
+    """Return how fast two segments may meet of ropes whose fastest node has a speed [m/s]."""
+    ropes = np.flatnonzero(system.node.contact.rope >= 0)
+    moves = (state.inverse_mass[ropes] > 0.0) | (state.inverse_mass[ropes + 1] > 0.0)
+    return 2.0 * speed if np.count_nonzero(moves) > 1 else speed
 
 
 def _by_method(method: str, path: str, given: float) -> Iterator[Fault]:
