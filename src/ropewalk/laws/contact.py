@@ -36,7 +36,7 @@ from ropewalk.laws.contact_frame import (
     spring_pull,
 )
 from ropewalk.laws.hardening import along_surface, squeezed
-from ropewalk.laws.obstacle_lead import led
+from ropewalk.laws.obstacle_lead import led, mean_speed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import is_out_of_reach
 from ropewalk.laws.polygon import keep_friction
@@ -76,6 +76,9 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
+            after = slip[OFTEN, i] > 0.0 and slip[WHEN, i] == now[1] == now[0]
+            if after:  # the state that such a step has left
+                ux, uy, uz = mean_speed(obstacles, o, now[0], slip[OFTEN, i])
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
@@ -92,7 +95,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                if slip[OFTEN, i] > 0.0 and slip[WHEN, i] == now[1] == now[0]:
+                if after:
                     vx, vy, vz = last_slip(slip, i)
                 k, c = k + per * c, own * c
                 sx, sy, sz = spring_pull(
@@ -125,7 +128,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
         mx, my, mz, ux, uy, uz, angle, rate = turned(obstacles, memory, o, now)
         then = surface_then(obstacles, memory.wheel, o, now)
         to, at = (mx, my, mz), (ux, uy, uz)
-        _, _, turned_by, per, _ = led(obstacles, memory, o, now, then, to, at, angle)
+        _, (ux, uy, uz), turned_by, per, _ = led(obstacles, memory, o, now, then, to, at, angle)
         body, pose = body_of(obstacles, o), pose_of(obstacles, o, then[6] + angle)
         (wx, wy, wz), sweep = rates_of(obstacles, o, rate)
         for i in range(n):

@@ -7,8 +7,10 @@ what the method would make of a place p of the body that the node sticks to:
     implicit Euler        p1 at its end, as it lies; V - U = (x1 - p1) / h
     a first stage         U = ((p1 - p0)/h - g u1) / (1 - g), P = p0 + c U; V - U = (X - P) / c
 with which the next stage, by u1 and p1 as they are, is the end of the same way. Either is the way D over the
-surface by the time: the damper is a spring of c/h more. Of what stands, or goes on as it does and does not
-turn, that is v - u, and left as it is; so is what turns freely, whose rate is its method's own.
+surface by the time: the damper is a spring of c/h more. What presses has the mean of the body's way without
+its turning: a chord of what turns has a part across its surface, which only what sticks goes along with. Of
+what stands, or goes on as it does and does not turn, all that is v - u, and left as it is; so is what turns
+freely, whose rate is its method's own.
 """
 
 from __future__ import annotations
@@ -54,7 +56,17 @@ def led(obstacles, memory, o, now, then, moved, speed, angle):
         turn = first_turn(span / h, whole, h * rate)
         if jumps:
             moved, speed = first_place(span, h, then, way, (vx, vy, vz))
+    elif jumps:
+        speed = (way[0] / h, way[1] / h, way[2] / h)
     return moved, speed, turn, 1.0 / span, 0.0
+
+
+@kernel
+def mean_speed(obstacles, o, time, often):
+    """Return the velocity of a body without its turning [m/s], the mean of 1 / `often` before a time [s]."""
+    x, y, z, _, _, _, _, _ = surface_at(obstacles, o, time)
+    then = surface_at(obstacles, o, time - 1.0 / often)
+    return often * (x - then[0]), often * (y - then[1]), often * (z - then[2])
 
 
 @small

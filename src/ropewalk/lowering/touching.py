@@ -144,7 +144,7 @@ def within_reach(
 
     The first is that which closes a gap, the second that over the surface. A damper takes hold before the
     surface does, see `closing`: no farther out than the velocity over its stiffness lets it. Where `v` are
-    means over the last `span` [s], as those of implicit Euler, the second is, too; see `obstacle_lead`.
+    means over the last `span` [s], as those of implicit Euler, both are, too; see `obstacle_lead`.
     """
     count, places, velocities = len(table.kind), x[:, nodes].T, v[:, nodes].T
     speed, over = np.empty((2, count, len(nodes), 3))
@@ -155,7 +155,9 @@ def within_reach(
         speed[o] = velocities - now[3:6] - np.cross(turning[1], arm)
         over[o] = speed[o] - np.cross(turning[0], arm)
         if 0.0 < span <= t:
-            over[o] += beyond_mean(table, o, t, span, arm)
+            ahead, turning_on = beyond_mean(table, o, t, span, arm)
+            speed[o] += ahead
+            over[o] += ahead + turning_on
     gaps = np.empty((count, len(nodes)))
     find_gaps(np.ascontiguousarray(places.T), table, t, gaps)
     damping = table.ratio[:, None] * table.damping[:, nodes]
@@ -164,18 +166,19 @@ def within_reach(
     return speed, over, room <= (1.0 + 1e-9) * lead
 
 
-def beyond_mean(table: Obstacles, o: int, t: float, span: float, arms: Floats) -> Floats:
-    """Return how far a body's velocities are from their means over `span` [s] before `t`, (m, 3) [m/s].
+def beyond_mean(
+    table: Obstacles, o: int, t: float, span: float, arms: Floats
+) -> tuple[Floats, Floats]:
+    """Return how far a body's velocities are from their means over `span` [s] before `t`, (3,), (m, 3) [m/s].
 
-    At places (m, 3) from its hub [m] at `t`, which go along with it.
+    That of its hub, and what its turning adds at places (m, 3) from that [m] at `t`, which go along with it.
     """
     now, before = (np.array(surface_at(table, o, time)) for time in (t, t - span))
     axle, turn = table.axle[o], now[6] - before[6]
     aside = np.cross(axle, arms)
     chord = math.sin(turn) * aside - (1.0 - math.cos(turn)) * np.cross(axle, aside)
     rate = now[7] if turn != 0.0 else 0.0  # what turns freely is known at `t` only
-    found: Floats = now[3:6] - (now[:3] - before[:3]) / span + rate * aside - chord / span
-    return found
+    return now[3:6] - (now[:3] - before[:3]) / span, rate * aside - chord / span
 
 
 def at_rates(table: Obstacles, wheels: Floats, t: float) -> Obstacles:
