@@ -69,6 +69,32 @@ def test_a_body_swings_in_the_order_of_the_method(method: str, order: int) -> No
     assert math.log2(coarse / fine) == pytest.approx(order, abs=0.2)
 
 
+@pytest.mark.parametrize(
+    ("method", "step"),
+    [("implicit-euler", 1 / 60), ("sdirk2", 1 / 120), ("bdf2", 1 / 120), ("rk4", None),
+     ("semi-implicit-euler", 2e-5)],
+)  # fmt: skip
+def test_what_a_method_loses_of_a_swing_is_its_energy_error(method: str, step: Any) -> None:
+    """It was in the work of the body's weight, and none was told."""
+    chosen = {"time_step": step} if step else {}
+    result = rw.simulate(boom(method, **chosen))
+    body, alone = result.pulley("boom"), rw.simulate(boom(method, **chosen).replace(obstacles=()))
+    gained = MASS * g * OFF * np.sin(body.angle)
+    np.testing.assert_allclose(body.weight_work, gained, atol=1e-9)
+    assert (body.rope_work == 0.0).all()
+    assert (body.bearing_work == 0.0).all()
+    lost = body.energy - gained
+    error = result.energy_error
+    np.testing.assert_allclose(error, alone.energy_error + lost, atol=1e-7)
+    steps = result.energy_errors
+    assert (steps[1:, 0] <= error[1:] + 1e-7).all()
+    assert (steps[1:, 1] >= error[1:] - 1e-7).all()
+    table = result.table
+    assert ("of the energy turned over" in table.get("about the energy", "")) is (step == 1 / 60)
+    share = table["largest energy error, share of the energy turned over [%]"]
+    assert share == pytest.approx(100.0 * np.abs(steps).max() / np.ptp(gained), rel=0.05)
+
+
 def test_a_run_whose_steps_get_too_short_for_a_body_names_it() -> None:
     simulation = Simulation(boom("adaptive"))
     state, scratch = simulation.state.state, simulation._engine.scratch

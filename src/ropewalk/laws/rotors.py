@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.blocks import dot3, minus3, plus3, scale3
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import (
     DAMP,
@@ -30,12 +30,16 @@ from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheel_rows import (
     ANGLE,
+    BEARING,
     COLUMN,
     DRAG,
     DRIVE,
+    FALL,
     KNOWN,
     LEAD,
     PART,
+    RATE,
+    ROPES,
     TIE,
     TRIAL,
     WEIGH,
@@ -133,6 +137,31 @@ def weight_torque(obstacles, wheel, w, rate, now):
         c, s = math.cos(angle), math.sin(angle)
         return p * c + q * s, h * (p * s - q * c)
     return p * math.cos(wheel[ANGLE]) + q * math.sin(wheel[ANGLE]), 0.0
+
+
+@kernel
+def work_of_weight(weight, w, angle, turn):
+    """Return the work of a body's weight as it turns from an angle [J]."""
+    p, q = weight[w, 0], weight[w, 1]
+    if p == 0.0 and q == 0.0:
+        return 0.0
+    # sin b - sin a and cos a - cos b, without their difference
+    middle, across = angle + 0.5 * turn, 2.0 * math.sin(0.5 * turn)
+    return across * (p * math.cos(middle) + q * math.sin(middle))
+
+
+@deferred("float64")
+def turning_error(obstacles, wheel):
+    """Return the energy of bodies with a weight that nothing has put in or taken [J], up to a constant.
+
+    Others have none, as `keep_wheels` books works.
+    """
+    total = 0.0
+    for w in range(wheel.shape[0]):
+        if obstacles.weight[w, 0] != 0.0 or obstacles.weight[w, 1] != 0.0:
+            moves = 0.5 * obstacles.inertia[w] * wheel[w, RATE] * wheel[w, RATE]
+            total += moves - wheel[w, ROPES] - wheel[w, BEARING] - wheel[w, FALL]
+    return total
 
 
 @kernel

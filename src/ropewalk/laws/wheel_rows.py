@@ -10,11 +10,11 @@ from ropewalk.laws.contact_frame import surface_at
 # much rate and angle changed in it; then those in hand: rate, torques of ropes and bearing, s (0: it does not
 # give), number of nodes that it rubs on; and of the stage w^, d^ and c (0: implicit Euler), its weight, the
 # others' mean torques of ropes and bearing; of the body's own weight the torque in hand, that at the end of
-# the last step, the others' mean and the work so far; from STAGES on the torques of all stages, after a step
-# its mean ones, and from RATES on their rates.
+# the last step, nothing (older runs have a number there) and the work so far; from STAGES on the torques of
+# all stages, after a step its mean ones, and from RATES on their rates.
 ANGLE, RATE, ROPES, BEARING, TORQUE, PULL, GAIN, WAY, TRIAL, DRIVE, DRAG, TIE, COUNT = range(13)
 KNOWN, LEAD, PART, SHARE, MEAN_DRIVE, MEAN_DRAG = range(13, 19)
-WEIGH, WEIGHED, MEAN_WEIGH, FALL, STAGES = range(19, 24)
+WEIGH, WEIGHED, _, FALL, STAGES = range(19, 24)
 MOST_STAGES = 8
 RATES = STAGES + MOST_STAGES
 WIDTH = RATES + MOST_STAGES

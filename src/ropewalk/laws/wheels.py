@@ -24,7 +24,7 @@ from ropewalk.laws.contact_frame import DAMP, STIFF, cut, friction_at, surface_a
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_pose import rotated
 from ropewalk.laws.obstacle_shapes import probe
-from ropewalk.laws.rotors import find_turning, turning_torque
+from ropewalk.laws.rotors import find_turning, turning_torque, work_of_weight
 from ropewalk.laws.wheel_rows import (
     ANGLE,
     BEARING,
@@ -39,7 +39,6 @@ from ropewalk.laws.wheel_rows import (
     LEAD,
     MEAN_DRAG,
     MEAN_DRIVE,
-    MEAN_WEIGH,
     MOVED,
     NODE,
     NORMAL,
@@ -298,13 +297,12 @@ def aim_wheels(wheel, A, b, s, dt):
     for w in range(wheel.shape[0]):
         one = wheel[w]
         if s == 0:
-            one[MEAN_DRIVE], one[MEAN_DRAG], one[MEAN_WEIGH] = 0.0, 0.0, 0.0
+            one[MEAN_DRIVE], one[MEAN_DRAG] = 0.0, 0.0
         one[PART], one[SHARE] = dt * A[s, s], b[s]
         if A[s, s] == 0.0:  # it is the step's begin
             one[RATES + s], one[STAGES + s] = one[RATE], one[PULL]
             one[MEAN_DRIVE] += b[s] * one[TORQUE]
             one[MEAN_DRAG] += b[s] * (one[PULL] - one[TORQUE] - one[WEIGHED])
-            one[MEAN_WEIGH] += b[s] * one[WEIGHED]
             continue
         one[KNOWN], one[LEAD] = 0.0, 0.0
         for r in range(s):
@@ -327,7 +325,6 @@ def aim_wheels_bdf2(wheel, dt):
         one[KNOWN], one[LEAD] = one[RATE] + one[GAIN] / 3.0, one[WAY] / 3.0
         one[PART], one[SHARE] = 2.0 * dt / 3.0, 2.0 / 3.0
         one[MEAN_DRIVE], one[MEAN_DRAG] = one[STAGES] / 3.0, one[STAGES + 1] / 3.0
-        one[MEAN_WEIGH] = one[STAGES + 2] / 3.0
 
 
 @deferred()
@@ -339,7 +336,6 @@ def end_aim(wheel, s, last):
         if not last:
             one[MEAN_DRIVE] += one[SHARE] * one[DRIVE]
             one[MEAN_DRAG] += one[SHARE] * one[DRAG]
-            one[MEAN_WEIGH] += one[SHARE] * one[WEIGH]
 
 
 @kernel
@@ -354,7 +350,8 @@ def keep_wheels(obstacles, memory, dt):
     """Take the rates found for those at the end of a step of `dt` [s], and book what was done on the wheels.
 
     With the mean torques of the step and the mean of the rates before and after it, whatever is done is the
-    change of the wheel's kinetic energy.
+    change of the wheel's kinetic energy; but for its weight, whose work is that between both places: what is
+    left is the method's error, see `rotors.turning_error`.
     """
     for o in range(obstacles.wheel.shape[0]):
         w = obstacles.wheel[o]
@@ -362,17 +359,15 @@ def keep_wheels(obstacles, memory, dt):
             continue
         wheel = memory.wheel[w]
         drive, drag, turn = wheel[DRIVE], wheel[DRAG], dt * wheel[TRIAL]
-        weigh = wheel[WEIGH]
         if wheel[PART] > 0.0:
             drive = wheel[MEAN_DRIVE] + wheel[SHARE] * drive
             drag = wheel[MEAN_DRAG] + wheel[SHARE] * drag
-            weigh = wheel[MEAN_WEIGH] + wheel[SHARE] * weigh
             turn = wheel[LEAD] + wheel[PART] * wheel[TRIAL]
         way = 0.5 * dt * (wheel[RATE] + wheel[TRIAL])
+        wheel[FALL] += work_of_weight(obstacles.weight, w, wheel[ANGLE], turn)
         wheel[ANGLE] += turn
         wheel[ROPES] += drive * way
         wheel[BEARING] += drag * way
-        wheel[FALL] += weigh * way
         wheel[GAIN], wheel[WAY] = wheel[TRIAL] - wheel[RATE], turn
         wheel[RATE], wheel[TORQUE], wheel[PULL] = (
             wheel[TRIAL],
@@ -380,11 +375,7 @@ def keep_wheels(obstacles, memory, dt):
             wheel[DRIVE] + wheel[DRAG] + wheel[WEIGH],
         )
         wheel[WEIGHED] = wheel[WEIGH]
-        wheel[STAGES], wheel[STAGES + 1], wheel[STAGES + 2] = (
-            drive,
-            drag,
-            weigh,
-        )  # the mean ones, for BDF2's next step
+        wheel[STAGES], wheel[STAGES + 1] = drive, drag  # the mean ones, for BDF2's next step
         wheel[PART], wheel[LEAD] = 0.0, 0.0  # it is where it lies
 
 

@@ -16,9 +16,11 @@ from ropewalk.laws.clamps import bent_energy
 from ropewalk.laws.node_law import NodeLaw
 from ropewalk.laws.nodes import fold
 from ropewalk.laws.rare import has_bending
+from ropewalk.laws.rotors import turning_error
 from ropewalk.methods.carried import record_elastic
 from ropewalk.methods.peaks import keep_step
 from ropewalk.methods.scratch import LANES, SEEN, add_up, clear_lanes, total_of
+from ropewalk.methods.wheel_ties import has_wheels
 
 
 @part
@@ -87,6 +89,8 @@ def accounted_for(system, state, elastic, sums):
         total -= add_up(work.clamps, sums)
     for row in range(work.anchors.shape[0]):
         total -= work.anchors[row]
+    if has_wheels(system):
+        total += turning_error(system.node.obstacle, state.memory.obstacle.wheel)
     return total
 
 

@@ -16,6 +16,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.lowering.masses import line, masses
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import SLACK, energy_of_rounding
+from ropewalk.record.body_energies import turning_of
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.record.joined_ropes import joined_ropes
@@ -72,10 +73,11 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
         1.0 - 1.0 / math.sqrt(1.0 + lost / there),
         1.0 - 1.0 / (1.0 + math.sqrt(lost / there)),
     )
+    bodies = " and bodies" if turning_of(result) else ""
     return (
-        f"{head}, beside {there:.3g} J of motion and stretch of all ropes: if that belongs in it, it is too "
-        f"low by some {percent(100.0 * apart)} to {percent(100.0 * in_step)} (in step with it), a guess and "
-        f"no bound; compare it with {compare}"
+        f"{head}, beside {there:.3g} J of motion and stretch of all ropes{bodies}: if that belongs in it, it "
+        f"is too low by some {percent(100.0 * apart)} to {percent(100.0 * in_step)} (in step with it), a "
+        f"guess and no bound; compare it with {compare}"
     )
 
 

@@ -16,6 +16,7 @@ from ropewalk.lowering.layout import make_layout
 from ropewalk.record.balances import balance_residual, energy_error
 from ropewalk.record.beyond import Beyond
 from ropewalk.record.beyond import load as load_beyond
+from ropewalk.record.body_energies import turning_of
 from ropewalk.record.books import told
 from ropewalk.record.ends import End
 from ropewalk.record.errors import RunError
@@ -238,9 +239,11 @@ class Result(PointForces, Outlets):
 
         total - total[0] - the works of all that has no potential: friction, air, ground, applied forces,
         limiter, winch, anchors, the turning of clamps, obstacles, contact of ropes, slides, parting.
+        What the ledgers of bodies that their weight turns lack (`pulley`) is in it.
         NaN when the run kept no ledger, and in broken frames whose numbers are not finite.
         """
-        return energy_error(self.energy, self.work, self.facts.ledger)
+        bodies, error = turning_of(self), energy_error(self.energy, self.work, self.facts.ledger)
+        return error + bodies.error if bodies else error
 
     @property
     def energy_errors(self) -> Floats:

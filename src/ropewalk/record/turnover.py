@@ -27,6 +27,7 @@ from ropewalk.laws.registry import NODE_LAWS
 from ropewalk.lowering.masses import line, masses
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import energy_of_rounding, shorter_steps, weight_times_length
+from ropewalk.record.body_energies import turning_of
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.scene.motions import Fixed
 from ropewalk.words.percents import percent
@@ -70,6 +71,8 @@ def share_turned(result: Result) -> float:
         return math.nan
     forms = {name: part[:good] for name, part in result.energy.items() if name != "total"}
     works = {name: part[:good] for name, part in result.work.items()}
+    if bodies := turning_of(result):
+        forms |= {"turning": bodies.kinetic[:good], "weight": bodies.weight[:good]}
     touched = np.minimum(surfaces(works), surfaces(_without_motors(result, works)))
     turned, shares = largest_change(forms.values()), [0.0]
     rounding = _STILL * max(_largest(forms.values()), weight_times_length(result.scene))
@@ -140,9 +143,14 @@ def sudden_note(result: Result, share: float) -> str:
 
 
 def own_kinetic(result: Result) -> Floats:
-    """Return the kinetic energy before a break as who goes along sees it [J], (frames,)."""
+    """Return the kinetic energy before a break as who goes along sees it [J], (frames,).
+
+    That of bodies whose weight turns them is in it, as their error is in that of the energy.
+    """
     good = result.good_frames
     kinetic: Floats = result.energy["kinetic"][:good]
+    if bodies := turning_of(result):
+        kinetic = kinetic + bodies.kinetic[:good]
     carried = _carried(result, good)
     return kinetic - carried.kinetic if carried else kinetic
 

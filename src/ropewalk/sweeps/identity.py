@@ -14,6 +14,7 @@ from ropewalk.record.identity import meaning, source_hash
 #: Beside the sources of a run: what reads, reduces and keeps its numbers, and what is noted of them.
 KEPT_BY = (
     "record/balances.py",
+    "record/body_energies.py",
     "record/body_loads.py",
     "record/books.py",
     "record/borne.py",
