@@ -76,7 +76,7 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
             ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
-            after = slip[OFTEN, i] > 0.0 and slip[WHEN, i] == now[1] == now[0]
+            after = since == 0.0 and slip[OFTEN, i] > 0.0 and slip[WHEN, i] == now[0]
             if after:  # the state that such a step has left
                 ux, uy, uz = mean_speed(obstacles, o, now[0], slip[OFTEN, i])
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
