@@ -14,6 +14,7 @@ from ropewalk.live.recorded_touch import NAMES as TOUCHED
 from ropewalk.live.seen import Seen
 from ropewalk.lowering.masses import line, masses
 from ropewalk.record.beyond import until_torn
+from ropewalk.record.body_energies import unaccounted, weight_turns
 from ropewalk.record.extremes import had_rope
 from ropewalk.record.quantities import PULLEYS
 from ropewalk.record.result import Result
@@ -33,6 +34,7 @@ class Recorded:
         self.result = result
         past = until_torn(result)
         self.past = past if past is not None and past.last == result.frames - 1 else None
+        self._weight_turns = weight_turns(result.scene) and PULLEYS in result.source.names
         self.first_energy, self._first_gravity = 0.0, float(self._energy(0)[0][1])
         self.first_energy = self._error(0)
         #: What a session has to add to the run's own energy of gravity, and to its energy error [J].
@@ -108,7 +110,12 @@ class Recorded:
         """Return what no law accounts for in a frame's energy [J]."""
         energy, work = self._energy(frame)
         losses, gifts = losses_and_gifts(work, self.result.layout.bends, self.result.layout.more)
-        return float(energy.sum()) - self.first_energy - losses - gifts
+        turned = self.result.read(PULLEYS, frame, frame + 1)[0] if self._weight_turns else None
+        return float(energy.sum()) + self._of_bodies(turned) - self.first_energy - losses - gifts
+
+    def _of_bodies(self, wheels: Floats | None) -> float:
+        """Return what no law accounts for in bodies' energies [J], of `wheels` (w, 7), up to a constant."""
+        return 0.0 if wheels is None or not self._weight_turns else float(unaccounted(wheels))
 
     def _gravity_zero(self) -> float:
         """Return the energy of gravity as it is counted, less that over the origin [J]."""
@@ -132,7 +139,9 @@ class Recorded:
         driven, layout = self.touched.works_at(data, row).driven, result.layout
         driven = 0.0 if np.isnan(driven) else driven
         losses, gifts = losses_and_gifts(work, layout.bends, layout.more, driven)
-        total = float(energy.sum())
+        total = float(energy.sum()) + self._of_bodies(
+            data[PULLEYS][row] if PULLEYS in data else None
+        )
         heights = positions @ np.array(result.scene.up)
         tension = data["tension"][row]
         ground = result.scene.ground
