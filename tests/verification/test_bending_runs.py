@@ -11,7 +11,7 @@ from ropewalk.analysis.stability import stability
 from ropewalk.api import simulate
 from ropewalk.lowering.steps import predicted_step
 from ropewalk.record.result import Result
-from ropewalk.scene import Air, Anchor, Clamp, Points, RunSettings, Velocity
+from ropewalk.scene import Air, Anchor, Clamp, Points, RunSettings, Straight, Velocity
 from ropewalk.simulation import Broken, Simulation
 from verification.rods import Rod, clamped, order, rod
 from verification.setups import off
@@ -225,3 +225,27 @@ def test_the_largest_EI_is_that_of_the_step() -> None:
         assert again.stable is holds
     assert any("EI <=" in remedy for remedy in again.remedies)
     assert off(again.largest_bending_stiffness, found.largest_bending_stiffness) < 1e-6
+
+
+@pytest.mark.parametrize("method", ["implicit-euler", "sdirk2", "bdf2", "esdirk3"])
+@pytest.mark.parametrize("sags", [True, False])
+def test_rods_with_much_friction_of_bending_find_solutions(method: str, sags: bool) -> None:
+    """Nearly straight, where the plane of bends is next to nothing, they sag off the axes or swing round.
+
+    Both ended without a solution: steps of Newton's method were too short for what turns the plane, and the
+    rate of bends was lost in that of the rod's own turning.
+    """
+    direction = (0.8, 0.6, 0.0) if sags else (0.6, 0.0, 0.8)
+    scene = rod(
+        20,
+        EI=20.0 if sags else 200.0,
+        EA=1e4,
+        length=1.0 if sags else 0.5,
+        bending_damping=20.0 if sags else 2.0,
+        anchors=[clamped(direction=direction)],
+        gravity=(0.0, 0.0, -9.81),
+        shape=Straight(end=direction) if sags else None,
+        run=run_for(0.5 if sags else 0.12, 1.0 / 240.0 if sags else 1e-3, method, 240.0),
+    )
+    result = simulate(scene)
+    assert np.abs(result.balance_residual).max() < 1e-6

@@ -24,6 +24,10 @@ CLAMPS = [
     Anchor(node=4, clamp=Clamp(direction=(1, 0.3, 0.1), **TURNING)),
     Anchor(node=-1, clamp=Clamp(direction=(1, -0.3, 0.1))),
 ]
+ALONG = [
+    Anchor(node=k, clamp=Clamp(direction=(1, 0, 0), turn_rate=0.5, turn_axis=(1, 2, 3)))
+    for k in (0, 4, -1)
+]
 HELD = [Anchor(node=0)]
 CURVED = {"curvature": (0.5, 0.3, 0.8)}
 KINDS: dict[str, tuple[list[Anchor], dict[str, Any]]] = {
@@ -31,6 +35,7 @@ KINDS: dict[str, tuple[list[Anchor], dict[str, Any]]] = {
     "natural curvature": (HELD, CURVED),
     "clamps": (CLAMPS, {}),
     "friction": (HELD, {"bending_damping": 0.3}),
+    "clamps along it, friction": (ALONG, {"bending_damping": 0.3}),
     "all": (CLAMPS, {"bending_damping": 0.3} | CURVED),
 }
 
@@ -54,15 +59,15 @@ class Bent:
         """Force of bending and its friction on the nodes [N], (3 n,), node by node."""
         return np.diff(self.segments(), axis=1).T.ravel()
 
-    def differences(self, array: np.ndarray) -> np.ndarray:
+    def differences(self, array: np.ndarray, step: float = STEP) -> np.ndarray:
         """-dF/d(array), dense, by central differences."""
         start, columns = array.copy(), []
         for i in range(array.size):
             place = i % 3, i // 3
-            array[place] = start[place] + STEP
+            array[place] = start[place] + step
             up = self.force()
-            array[place] = start[place] - STEP
-            columns.append((self.force() - up) / (2.0 * STEP))
+            array[place] = start[place] - step
+            columns.append((self.force() - up) / (2.0 * step))
             array[...] = start
         return np.array(columns).T
 
@@ -119,6 +124,24 @@ def test_tangents_are_the_derivatives_of_the_forces(kind: str, shape: str) -> No
         assert relative(dense(other), by_place) > 1e-6
     if not damped:
         assert relative(dense(other), dense(other).T) < 1e-14
+
+
+@pytest.mark.parametrize("kind", ["friction", "clamps along it, friction"])
+def test_tangents_of_friction_are_its_derivatives_where_a_rope_is_nearly_straight(
+    kind: str,
+) -> None:
+    """Bends of 1e-6 to 1e-5: part of the friction acts on the whole rate, part on that in its plane.
+
+    But for what only turns the first part, some 1e-5 of the whole.
+    """
+    bent = Bent(kind)
+    rng = np.random.default_rng(5)
+    bent.state.x[...] = shapes()["straight"]
+    bent.state.x[1:] += 6e-7 * rng.normal(size=(2, N))
+    bent.state.v[...] = rng.normal(size=(3, N))
+    stiffness, friction = stiffness_and_friction(bent.system, bent.state)
+    assert relative(dense(friction), bent.differences(bent.state.v, 0.1)) < 1e-4
+    assert relative(dense(stiffness), bent.differences(bent.state.x, 1e-10)) < 1e-4
 
 
 @pytest.mark.parametrize("shape", shapes())

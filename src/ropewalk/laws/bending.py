@@ -28,6 +28,7 @@ from ropewalk.core.jit import deferred, kernel, part
 
 FOLD = 0.5  # [1] 1 + cos(120 degrees)
 PRESSED = 0.5  # [1] of the rest length
+SMALL = 1e-3  # [1] |kb| below which its rate is found by the difference of the unit vectors
 STRAIGHT = 1e-5  # [1] |kb| below which a node has less of a plane of bending the straighter it is
 
 
@@ -154,10 +155,24 @@ def bending_energy(x, rest_length, stiffness, natural):
 
 
 @part
+def rate_of(a, own_a, b, own_b, u, w, square):
+    """Return the rate of a . b [1/s] of a node with |kb|^2 = `square`; (u, w) = (a', b').
+
+    The sum is of no use where a small bend turns quickly: it is next to nothing of its parts.
+    """
+    if square >= SMALL * SMALL:
+        return (u[0] * b[0] + u[1] * b[1] + u[2] * b[2]) + (a[0] * w[0] + a[1] * w[1] + a[2] * w[2])
+    rate = (a[0] - b[0]) * (w[0] - u[0]) + (a[1] - b[1]) * (w[1] - u[1])
+    rate += (a[2] - b[2]) * (w[2] - u[2])
+    rate += a[0] * u[0] + a[1] * u[1] + a[2] * u[2] if own_a != 1.0 else 0.0
+    return rate + (b[0] * w[0] + b[1] * w[1] + b[2] * w[2] if own_b != 1.0 else 0.0)
+
+
+@part
 def drags(D, ax, ay, az, own_a, bx, by, bz, own_b, ux, uy, uz, wx, wy, wz):
     """Return dR/da' and dR/db' of one node [N m], neither projected; (u, w) = (a', b') [1/s]."""
     chi, square = bend(ax, ay, az, own_a, bx, by, bz, own_b)
-    rate = (ux * bx + uy * by + uz * bz) + (ax * wx + ay * wy + az * wz)
+    rate = rate_of((ax, ay, az), own_a, (bx, by, bz), own_b, (ux, uy, uz), (wx, wy, wz), square)
     slope = 4.0 * slope_of(chi)
     pull = D * slope * slope * rate / max(square, STRAIGHT * STRAIGHT)
     px, py, pz, qx, qy, qz = pull * bx, pull * by, pull * bz, pull * ax, pull * ay, pull * az

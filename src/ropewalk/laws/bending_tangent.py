@@ -6,8 +6,9 @@ after the node the derivatives
     F'' p p^T + F' T_a(b)    F'' p q^T + F' D_a D_b
     F'' q p^T + F' D_b D_a   F'' q q^T + F' T_b(a)        T_a(u) = d(D_a u)/de_a
 Elastic: F = B |kb|^2 / 2. Friction D s' ds/dt with s = |kb|: its rate adds to F' and F'', and how its rate
-changes with the places makes the matrix unsymmetric. At a straight node, where the plane of bending jumps,
-only the derivatives of friction with the velocities are given. Natural curvature adds those of -B kb . k0.
+changes with the places makes the matrix unsymmetric. Below s = STRAIGHT, where it acts on the whole rate of
+kb too, 1 - s^2 / STRAIGHT^2 of it, how that share changes does so as well; of that part the derivatives with
+the places are left out, which only turn it. Natural curvature adds those of -B kb . k0.
 
 `definite` gives -F' D_a D_a in place of F' T_a(b), so that the part with F' < 0 becomes that of
 -F' |a - b|^2 / 2 without its second derivatives, which has no negative eigenvalue, however folded the rope.
@@ -22,6 +23,7 @@ from ropewalk.core.blocks import (
     add,
     dot3,
     less_product,
+    minus3,
     scale3,
     scale9,
     store9,
@@ -29,7 +31,16 @@ from ropewalk.core.blocks import (
     transpose,
 )
 from ropewalk.core.jit import deferred, part, small
-from ropewalk.laws.bending import FOLD, STRAIGHT, across, bend, slope_of, tangent, value_of
+from ropewalk.laws.bending import (
+    FOLD,
+    STRAIGHT,
+    across,
+    bend,
+    rate_of,
+    slope_of,
+    tangent,
+    value_of,
+)
 
 
 @part
@@ -166,7 +177,7 @@ def bending_tangent(
                 u, w = difference(v, i - 1), difference(v, i)
                 da = across(u[0], u[1], u[2], ax, ay, az, over_a, own_a)
                 db = across(w[0], w[1], w[2], bx, by, bz, over_b, own_b)
-                change = dot3(da, b) + dot3(a, db)
+                change = rate_of(a, own_a, b, own_b, da, db, square)
                 f1, f2, first, second = drag_parts(
                     damping[i], weight_x, weight_v, chi, square, change
                 )
@@ -185,6 +196,13 @@ def bending_tangent(
                 z = drag_rate(b, over_b, own_b, a, q, w, da, scale, first, second, change)
                 before, after = less_product(before, p, y), less_product(after, q, z)
                 up, low = less_product(up, p, z), less_product(low, q, y)
+                fade = fades(weight_x * damping[i], chi, square)
+                if fade != 0.0:
+                    d = minus3(da, db)
+                    y = scale3(fade, across(d[0], d[1], d[2], ax, ay, az, over_a, own_a))
+                    z = scale3(-fade, across(d[0], d[1], d[2], bx, by, bz, over_b, own_b))
+                    before, after = less_product(before, y, p), less_product(after, z, q)
+                    up, low = less_product(up, y, q), less_product(low, z, p)
         store9(band.diagonal, i - 1, add(here, before))
         store9(band.upper1, i - 1, subtract(add(right, up), before))
         store9(band.lower1, i - 1, subtract(add(below, low), before))
@@ -216,17 +234,25 @@ def difference(v, j):
 
 @part
 def drag_parts(D, weight_x, weight_v, chi, square, change):
-    """Return a node's friction's parts of F' and F'', and s' and s'' of s = |kb|, 0 where straight.
+    """Return a node's friction's parts of F' and F'', and s' and s'' of s = |kb|.
 
-    Nearly straight nodes count as straight: exact where a bend keeps its plane.
+    Where it is nearly straight s is STRAIGHT there, and the rest of the friction on the whole rate.
     """
-    if not square >= STRAIGHT * STRAIGHT:
-        return -weight_v * D, 0.0, 0.0, 0.0
-    s = math.sqrt(square)
+    straight = not square >= STRAIGHT * STRAIGHT
+    s = STRAIGHT if straight else math.sqrt(square)
     first = 4.0 * slope_of(chi) / s
-    second = 4.0 * curve_of(chi) / s - first * first / s
+    second = 4.0 * curve_of(chi) / s - (0.0 if straight else first * first / s)
     pull = weight_x * D * first * change
-    return pull * first, pull * second + weight_v * D * first * first, first, second
+    whole = weight_v * D * (1.0 - square / (s * s)) if straight else 0.0
+    return pull * first - whole, pull * second + weight_v * D * first * first, first, second
+
+
+@part
+def fades(D, chi, square):
+    """Return by how much less friction acts on the whole rate as chi grows, D times; 0 where none does."""
+    if square >= STRAIGHT * STRAIGHT:
+        return 0.0
+    return D * 8.0 * slope_of(chi) / (STRAIGHT * STRAIGHT)
 
 
 @part
@@ -277,8 +303,7 @@ def half_cell_tangent(x, v, rest_length, at, state, bending, weight_x, weight_v,
     p = across(d[0], d[1], d[2], tx, ty, tz, over, own)
     chi, square = bend(tx, ty, tz, own, d[0], d[1], d[2], 1.0)
     dt = across(u[0], u[1], u[2], tx, ty, tz, over, own)
-    change = turned[0] * tx + turned[1] * ty + turned[2] * tz
-    change += d[0] * dt[0] + d[1] * dt[1] + d[2] * dt[2]
+    change = rate_of(t, own, d, 1.0, dt, turned, square)
     share = bending.clamp_length[row] / rest_length[j]
     B = weight_x * share * bending.clamp_stiffness[row, side]
     D = share * bending.clamp_damping[row, side]
@@ -298,6 +323,11 @@ def half_cell_tangent(x, v, rest_length, at, state, bending, weight_x, weight_v,
     block = plainly(c1, t, over, own) if definite else turns(c1, d, t, over, own)
     block = less_product(block, scale3(-c2, p), p)
     block = less_product(add(block, turns(ct, h, t, over, own)), p, y)
+    fade = fades(weight_x * D, chi, square)
+    if fade != 0.0:
+        e = minus3(dt, turned)
+        e = scale3(fade, across(e[0], e[1], e[2], tx, ty, tz, over, own))
+        block = less_product(block, e, p)
     block = less_product(less_product(block, scale3(-cct, p), r), r, scale3(-cct, p))
     put_on(band.diagonal, j, block)
     put_on(band.diagonal, j + 1, block)
