@@ -1,6 +1,7 @@
 """Draw the picture of all knots in the docs: python docs/images/knots.py
 
-Each as it is tied, and drawn tight by all ends; ropes as thick as they are, nearer strands over farther ones.
+Each as it is tied, and drawn tight by all ends, the half hitches most by their tail; ropes as thick as they
+are, nearer strands over farther ones.
 """
 
 from __future__ import annotations
@@ -52,6 +53,9 @@ def scene(name: str) -> Scene:
         x = shape.places(count, count * D, D, (0, 0, 1), D)
         for node, before in ((0, 1), (-1, -2)):
             out = 0.1 * (x[node] - x[before]) / D
+            if name == "two-half-hitches":
+                # by its tail, and towards the post, which slides both hitches together
+                out = out + np.array([0.1, 0.0, 0.0]) if node == -1 else 0.3 * out
             anchors.append(
                 Anchor(rope=rope.name, node=node, motion=Velocity(velocity=out.tolist()))
             )
@@ -93,7 +97,7 @@ def draw(axes: Axes, name: str, model: Scene, x: np.ndarray, caps: str = "butt")
         ring = RING * np.stack((0.0 * angle, 1.0 - np.cos(angle), np.sin(angle)), axis=1)
         lines.append((ring if name == "munter" else straight, 2.0 * POST, WOOD))
     view = seen(name)
-    middle = -0.07 if name == "two-half-hitches" else 0.0
+    middle = -0.08 if name == "two-half-hitches" else 0.0
     axes.set(
         xlim=(middle - REACH, middle + REACH), ylim=(-0.8 * REACH, 0.8 * REACH), aspect="equal"
     )

@@ -11,7 +11,6 @@ import pytest
 from report_rope import material, scene, warnings
 from ropewalk.analysis.check import check
 from ropewalk.analysis.cost import seconds_per_step
-from ropewalk.analysis.knot_notes import knot_warnings
 from ropewalk.api import preset
 from ropewalk.lowering import build
 from ropewalk.rigging import line
@@ -28,7 +27,6 @@ from ropewalk.scene import (
     Slack,
     Springs,
     Straight,
-    loads,
 )
 from ropewalk.sheets.content import Text
 from ropewalk.sheets.ropes import rope_section
@@ -245,43 +243,3 @@ def test_nothing_is_said_of_rest_where_ropes_touch_each_other() -> None:
     told = json.loads(json.dumps(found.as_dict()))
     assert (told["statics"]["largest_tension"], told["statics"]["spans"]) == (None, [])
     assert (told["ropes"][0]["largest_tension"], told["ropes"][0]["utilisation"]) == (None, None)
-
-
-def _knotted(knot: str, more: str = "", **sizes: float) -> Scene:
-    given = "".join(f", {name} = {value}" for name, value in sizes.items())
-    return loads(f"""
-{more}
-[[rope]]
-segments = 160
-length = 1.6
-diameter = 0.01
-made_of = {{ kind = "material", EA = 1e4, mass_per_length = 0.08 }}
-shape = {{ kind = "knot", knot = "{knot}"{given} }}
-""")
-
-
-@pytest.mark.parametrize(
-    ("scene", "words"),
-    [
-        (_knotted("overhand"), "an overhand, but strands go through each other; add a [contact]"),
-        (
-            _knotted("reef", "[contact]"),
-            "a reef, but its other rope is not there; give one the same",
-        ),
-        (
-            _knotted("clove-hitch", "[contact]", post_radius=0.02),
-            "but there is no post; add it as an",
-        ),
-        (_knotted("bollard", post_radius=0.02), "but there is no post; add it as an obstacle"),
-    ],
-)
-def test_a_knot_that_is_none_is_told(scene: Scene, words: str) -> None:
-    """A scene of a knot without [contact] ran, came undone and said nothing."""
-    found = knot_warnings(scene)
-    assert len(found) == 1
-    assert words in found[0]
-
-
-@pytest.mark.parametrize("name", ["overhand", "clove-hitch", "bollard"])
-def test_knots_of_presets_are_knots(name: str) -> None:
-    assert knot_warnings(preset(name)) == []

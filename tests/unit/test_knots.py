@@ -203,9 +203,32 @@ def test_segments_are_equally_long_and_so_is_the_rope(name: str) -> None:
     x = tied.points(200, length)
     first = math.dist(x[0], curve.at(0.0))
     last = math.dist(x[-1], curve.at(curve.length))
-    assert last == pytest.approx(first, abs=0.2 * D)
+    assert last - tied.within[1] == pytest.approx(first - tied.within[0], abs=0.2 * D)
     x = tied.points(200, length, first_end=0.05)
-    assert math.dist(x[0], curve.at(0.0)) == pytest.approx(0.05, rel=1e-9)
+    assert math.dist(x[0], curve.at(0.0)) - tied.within[0] == pytest.approx(0.05, rel=1e-9)
+
+
+@pytest.mark.parametrize("slack", [1.0, 4.0])
+@pytest.mark.parametrize("post", [0.5, 2.0, 20.0])
+def test_the_shortest_rope_has_what_a_knot_is_tied_about(slack: float, post: float) -> None:
+    """Half hitches about no standing part, a bight over no ends, were tied without a word."""
+    tied = knots.knot("two-half-hitches", D, post_radius=post * D, slack=slack)
+    for first_end in (None, 0.0):
+        length = tied.length + 1e-3 * D
+        x = tied.points(math.ceil(length / D), length, first_end=first_end)
+        y, z = x[:, 1] - x[0, 1], x[:, 2] - x[0, 2]
+        hitches = np.flatnonzero(np.hypot(y, z) > 7.0 * D).max() + 1
+        turned = np.unwrap(np.arctan2(z[hitches:], y[hitches:]))
+        assert abs(turned[-1] - turned[0]) > 3.5 * math.pi  # about the standing part
+        assert x[0, 0] < x[hitches:, 0].min() - D
+    with pytest.raises(ValueError, match=f"length: {0.999 * tied.length:g} - must be more than"):
+        tied.points(2000, 0.999 * tied.length)
+    prusik = knots.knot("prusik", D, post_radius=post * D, slack=slack)
+    length = prusik.length + 1e-3 * D
+    x = prusik.points(math.ceil(length / D), length)
+    bight = x[len(x) // 2]
+    assert bight[1] < x[0, 1] - D  # farther from the post, over the ends
+    assert max(x[0, 0], x[-1, 0]) < bight[0] - D
 
 
 def test_the_length_of_a_curve() -> None:

@@ -136,8 +136,8 @@ def bowline() -> tuple[Any, float, Any, float]:
 
 def half_hitches() -> tuple[Any, float, Any, float]:
     """A round turn about a post and two half hitches about the own standing part."""
-    shape = Knot(knot="two-half-hitches", post_radius=2.0 * D)
-    return shape, 0.7, shape.post(1.0, compliance=1e-5), 0.0
+    shape = Knot(knot="two-half-hitches", post_radius=2.0 * D, first_end=0.187)
+    return shape, 0.53, shape.post(1.0, compliance=1e-5), 0.0
 
 
 def loaded(knot: str, friction: float, stiffness: float = 0.0) -> Scene:

@@ -18,9 +18,14 @@ DRAG = Air(node_drag=0.02)  # takes the whipping of ends that are let go
 Course = list[tuple[float, Floats]]  # times [s] and places [m]
 
 
+def segments(shape: Knot) -> int:
+    """Of such a rope: its ends are 0.3 m together, with what of them a knot is tied about."""
+    return math.ceil((shape.tied(D).curves[0].length + 0.3) / D)
+
+
 def hitch(shape: Knot, courses: tuple[Course, Course], post: float, rope: float) -> Scene:
     """A hitch on a fixed post, with those frictions; the last end is let go where its course ends."""
-    count = math.ceil((shape.tied(D).length + 0.3) / D)
+    count = segments(shape)
     line = Rope(segments=count, length=count * D, diameter=D, made_of=STUFF, shape=shape)
     anchors = [
         Anchor(
@@ -43,7 +48,7 @@ def hitch(shape: Knot, courses: tuple[Course, Course], post: float, rope: float)
 
 def ends(shape: Knot) -> tuple[Floats, Floats, Floats, Floats]:
     """Places [m] of both ends of such a rope, and the directions in which they are drawn."""
-    count = math.ceil((shape.tied(D).length + 0.3) / D)
+    count = segments(shape)
     x = shape.places(count, count * D, D, (0, 0, 1), D)
     return x[0], x[-1], (x[0] - x[1]) / D, (x[-1] - x[-2]) / D
 

@@ -283,7 +283,7 @@ def _warnings(
     warnings += bending_warnings(model) + obstacle_warnings(model, statics)
     warnings += facet_warnings(model, statics) + near_start_warnings(model)
     warnings += rebound_warnings(model, statics)
-    warnings += slide_warnings(model) + knot_warnings(model.scene)
+    warnings += slide_warnings(model) + knot_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
 
 

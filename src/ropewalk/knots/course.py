@@ -85,21 +85,24 @@ class Curve:
         u -= self._starts[piece]
         return tuple([((a * u + b) * u + c) * u + d for a, b, c, d in self._pieces[piece]])
 
-    def chain(self, segments: int, length: float, first_end: float | None = None) -> Floats:
+    def chain(
+        self, segments: int, length: float, first_end: float | None = None, more: float = 0.0
+    ) -> Floats:
         """Return the nodes of a chain of equal straight segments along the curve [m], (segments + 1, 3).
 
         Args:
             segments: how many [1].
             length: of the chain [m], all segments together.
             first_end: what of it lies before the curve's first point [m]; by default as much as
-                after its last one.
+                after its last one, and `more`.
+            more: by which both parts differ from their mean [m].
         """
         one = length / segments
         if first_end is not None:
             return self._walk(-first_end, segments, one)[0]
         start = -0.5 * (length - self.length)
         _, end = self._walk(start, segments, one)  # chords cut corners: it ends a little later
-        return self._walk(start - 0.5 * (end - self.length + start), segments, one)[0]
+        return self._walk(start - 0.5 * (end - self.length + start) - more, segments, one)[0]
 
     def _walk(self, start: float, segments: int, one: float) -> tuple[Floats, float]:
         """Return nodes that are `one` apart, from an arc length on, and the arc length of the last."""

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _STEP = math.pi / 9.0  # between points on a turn [rad]
 _UNDER = 0.25  # angle from there to where ends leave the post [rad]
 _CORNER = 2.0  # radius of a bend from one part of a hitch to another
+BEYOND = 1.5  # by which a straight end goes on past the middle of the last strand about it
 
 
 def _around(angle: Floats, rho: Floats | float, z: Floats | float) -> Floats:

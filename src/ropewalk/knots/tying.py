@@ -11,7 +11,8 @@ import numpy as np
 
 from ropewalk.knots import drawn, hitches
 from ropewalk.knots.course import Curve
-from ropewalk.words.safe_side import inwards, rounded_up, within
+from ropewalk.knots.measures import number, number_or_none, whole
+from ropewalk.words.safe_side import inwards, rounded_down, rounded_up, within
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -31,6 +32,7 @@ _HALF_TURN = np.array([-1.0, 1.0, -1.0])  # about y
 MOST_SLACK = 4.0
 THICKEST, THINNEST = 50.0, 0.4  # radius of a post over the rope's diameter
 MOST_TURNS = 50.0
+WIDEST = 1e5  # radius of a ring over the rope's diameter
 LONGEST = 1.5  # segment over the rope's diameter, with which a knot is still itself
 
 
@@ -56,6 +58,10 @@ class Tied:
     curves: tuple[Curve, ...]
     post_radius: float = 0.0  # [m]; 0: there is none
     ring_radius: float = 0.0  # of the ring that is the post [m]; 0: it is straight
+    within: tuple[float, float] = (
+        0.0,
+        0.0,
+    )  # of the straight ends, what the knot is tied about [m]
 
     @property
     def ropes(self) -> int:
@@ -64,8 +70,8 @@ class Tied:
 
     @property
     def length(self) -> float:
-        """Length of one of its ropes without the straight ends [m]."""
-        return max(curve.length for curve in self.curves)
+        """Length of one of its ropes without what of its straight ends is no part of the knot [m]."""
+        return max(curve.length for curve in self.curves) + sum(self.within)
 
     @property
     def least_radius(self) -> float:
@@ -87,8 +93,11 @@ class Tied:
             rope: which rope [1], from 1.
             first_end: length of the first end [m]; by default both are as long.
 
-        Raises ValueError for a rope that the knot has not, or one too short or too coarse for it.
+        Raises ValueError for a rope that the knot has not, one too short or too coarse for it, and for what
+        is no such number.
         """
+        segments, rope = whole("segments", segments), whole("rope", rope)
+        length, first_end = number("length", length), number_or_none("first_end", first_end)
         if not 1 <= rope <= self.ropes:
             raise ValueError(
                 f"rope: {rope} - must be from 1 to {self.ropes} for {named(self.name)}"
@@ -96,7 +105,10 @@ class Tied:
         fault = self.fault(segments, length, first_end)
         if fault is not None:
             raise ValueError(f"{fault[0]}: {fault[1]:g} - {fault[2]}")
-        return _chain(self.curves[rope - 1], segments, length, first_end).copy()
+        curve, (before, after) = self.curves[rope - 1], self.within
+        if first_end is None:
+            return _chain(curve, segments, length, None, 0.5 * (before - after)).copy()
+        return _chain(curve, segments, length, before + first_end, 0.0).copy()
 
     def fault(
         self, segments: int, length: float, first_end: float | None = None
@@ -108,11 +120,15 @@ class Tied:
             length: of the whole rope [m].
             first_end: length of the first end [m], or None.
         """
+        if not 0.0 <= (first_end or 0.0) < math.inf:
+            return "first_end", first_end or 0.0, "must be a finite number of m, not negative"
         need = self.length + (first_end or 0.0)
         if not length > need:
             of = f"{named(self.name)} of a rope {self.diameter:g} m thick"
             ends = "" if first_end is None else " with that first_end"
             return "length", length, f"must be more than {rounded_up(need, 4)} m for {of}{ends}"
+        if length == math.inf:
+            return "length", length, "must be a finite number of m"
         most = LONGEST * self.diameter
         if length / segments > most * (1.0 + 1e-9):
             least = math.ceil(length / most * (1.0 - 1e-9))
@@ -142,8 +158,12 @@ def knot(
         ring_radius: of a ring whose bar the post is [m], from its centre to the bar's middle; a munter's.
         turns: of a prusik to each side (3), or of a bollard (2) [1].
 
-    Raises ValueError for a name that there is not, and for sizes that cannot be.
+    Raises ValueError for a name that there is not, and for sizes that cannot be or are no numbers.
     """
+    diameter, slack = number("diameter", diameter), number("slack", slack, "1")
+    post_radius = number_or_none("post_radius", post_radius)
+    ring_radius = number_or_none("ring_radius", ring_radius)
+    turns = number_or_none("turns", turns, "1")
     if name not in names():
         raise ValueError(f"name: {name!r} - must be one of {', '.join(names())}")
     for path, value, rule in faults(name, diameter, slack, post_radius, ring_radius, turns):
@@ -185,10 +205,7 @@ def faults(
             rule = f"must be from {low} to {high} m for a rope {diameter:g} m thick"
             found.append(("post_radius", post_radius, rule))
         elif ring_radius is not None and name == "munter":
-            need = 2.0 * (post_radius + (1.0 + slack) * diameter)
-            if not within(need, ring_radius, math.inf):
-                rule = f"must be at least {rounded_up(need, 4)} m, for the rope to have room in the ring"
-                found.append(("ring_radius", ring_radius, rule))
+            found += _ring_faults(ring_radius, post_radius, diameter, slack)
     if ring_radius is not None and name in HITCHES and name != "munter":
         found.append(("ring_radius", ring_radius, "leave it out: only a munter is tied on a ring"))
     if turns is not None and name not in TURNED:
@@ -200,10 +217,26 @@ def faults(
     return found
 
 
+def _ring_faults(
+    ring_radius: float, post_radius: float, diameter: float, slack: float
+) -> list[tuple[str, float | None, str]]:
+    """Return what is wrong with the radius of a ring [m] for a rope on a bar of these sizes [m]."""
+    need, most = 2.0 * (post_radius + (1.0 + slack) * diameter), WIDEST * diameter
+    if not within(need, ring_radius, math.inf):
+        rule = f"must be at least {rounded_up(need, 4)} m, for the rope to have room in the ring"
+    elif ring_radius > most:
+        rule = f"must be at most {rounded_down(most, 4)} m; leave it out for a straight bar"
+    else:
+        return []
+    return [("ring_radius", ring_radius, rule)]
+
+
 @lru_cache(maxsize=64)
-def _chain(curve: Curve, segments: int, length: float, first_end: float | None) -> Floats:
+def _chain(
+    curve: Curve, segments: int, length: float, first_end: float | None, more: float
+) -> Floats:
     """Return the nodes of a curve (`Curve.chain`): a sweep asks for the same ones for every run."""
-    return curve.chain(segments, length, first_end)
+    return curve.chain(segments, length, first_end, more)
 
 
 @lru_cache(maxsize=64)
@@ -212,15 +245,17 @@ def _tied(name: str, diameter: float, slack: float, post: float, ring: float, tu
         return Tied(name, diameter, _free(name, slack * diameter))
     rho = post / diameter + 0.5 + 0.2 * slack
     gap = 1.0 + 0.3 * slack
-    first, last = _ALONG, _ALONG
+    first, last, inside = _ALONG, _ALONG, (0.0, 0.0)
     match name:
         case "clove-hitch":
             points = hitches.clove(rho, gap)
             first, last = hitches.clove_ends(rho)
         case "two-half-hitches":
             points, last = hitches.round_turn(rho, gap, 2.4 + 0.2 * slack)
+            inside = (hitches.BEYOND - float(points[:, 0].min()), 0.0)
         case "prusik":
             points, last = hitches.prusik(rho, gap, turns or 3.0), -_ALONG
+            inside = (hitches.BEYOND, hitches.BEYOND)  # its bight lies over them
         case "munter":
             # within a ring turns are nearer to each other than on a straight bar
             room = 1.0 if ring == 0.0 else 1.0 / (1.0 - rho * diameter / ring)
@@ -230,7 +265,8 @@ def _tied(name: str, diameter: float, slack: float, post: float, ring: float, tu
             points = hitches.bollard(rho, gap, turns or 2.0)
             angle = 2.0 * math.pi * (turns or 2.0)
             last = np.array([math.cos(angle), math.sin(angle), 0.0])
-    return Tied(name, diameter, (Curve(points * diameter, first, last),), post, ring)
+    curve = Curve(points * diameter, first, last)
+    return Tied(name, diameter, (curve,), post, ring, (diameter * inside[0], diameter * inside[1]))
 
 
 def _free(name: str, size: float) -> tuple[Curve, ...]:

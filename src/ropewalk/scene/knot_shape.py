@@ -13,6 +13,7 @@ from ropewalk.scene.base import Number, Vector, Whole, positive, quantity, refus
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.obstacles import Cylinder, Torus
 from ropewalk.scene.shape_model import ShapeModel
+from ropewalk.scene.sheet_numbers import given
 
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
@@ -125,15 +126,16 @@ class Knot(ShapeModel):
         fault = self.tied(diameter).fault(segments, length, self.first_end)
         return [] if fault is None else [Fault(*fault)]
 
-    def post(self, length: float = 1.0, **fields: Any) -> Cylinder | Torus:
+    def post(self, length: float | str = 1.0, **fields: Any) -> Cylinder | Torus:
         """Return the post of a hitch as an obstacle, a torus where it is a ring.
 
         Args:
-            length: of a straight post [m], its middle at `center`.
+            length: of a straight post [m], its middle at `center`; also a text, such as "30 cm".
             fields: others of the obstacle, such as `friction` or `name`.
 
-        Raises ValueError for a knot without a post.
+        Raises ValueError for a knot without a post, and SceneError for a length that is none.
         """
+        length = given("length", length, "m")
         across = self._across()
         if self.post_radius is None or across is None:
             raise ValueError(f"knot: {self.knot} - has no post")
@@ -150,6 +152,18 @@ class Knot(ShapeModel):
             )
         start, end = center - 0.5 * length * z, center + 0.5 * length * z
         return Cylinder(start=start.tolist(), end=end.tolist(), radius=self.post_radius, **fields)
+
+    def axis(self, reach: float) -> Floats:
+        """Return places on what a hitch is tied about [m], (3, 3): its middle, and so far to each side.
+
+        The middle is the second; along the bar of a ring where it has one.
+        """
+        _, y, z = cast("Floats", self._across())
+        steps, ring = np.array([-reach, 0.0, reach]), self.ring_radius
+        bent = [(0.0, s) for s in steps]
+        if ring is not None:
+            bent = [(ring * (1.0 - np.cos(s / ring)), ring * np.sin(s / ring)) for s in steps]
+        return np.asarray(np.array(self.center) + np.array(bent) @ np.array([y, z]))
 
     def places(
         self,
