@@ -5,17 +5,32 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import ropewalk as rw
 from property.test_islands_kept import on_floor
+from ropewalk.cli.progress import energy_error
 from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.live.carry import carry_over
 from ropewalk.live.edits import Edit, same_nodes
 from ropewalk.live.pictures import picture
+from ropewalk.live.recorded import Recorded
 from ropewalk.live.session import Session
 from ropewalk.live.track import Track
 from ropewalk.methods.recording import work_names
-from ropewalk.scene import Box, Material, Plane, Points, Rope, RunSettings, Scene, Velocity
+from ropewalk.scene import (
+    Anchor,
+    Box,
+    Material,
+    Plane,
+    Points,
+    Rope,
+    RunSettings,
+    Scene,
+    Straight,
+    Velocity,
+)
 from ropewalk.scene.spin import Spin
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.block import join
 
 MOTOR, STORED, METHOD = (ENTRIES.index(name) for name in ("motor", "stored", "method"))
 
@@ -117,3 +132,47 @@ def test_a_view_of_a_simulation_that_has_run_begins_with_nothing_lost() -> None:
     gained = sum(found[name] - first[name] for name in ("kinetic", "gravity", "elastic"))
     assert gained == pytest.approx(found["put_in"] - found["lost"] + found["energy_error"])
     assert abs(found["energy_error"]) < 0.02 * found["put_in"]
+
+
+def boom(mass: float | None = 2.0) -> Scene:
+    """A boom that swings down by its weight and errs, and a rope beside it at rest; without mass it stays."""
+    spin = Spin(free=True, inertia=0.4, **({"mass": mass, "pivot": (0, 0, 0)} if mass else {}))
+    body = Box(
+        center=(0.3, 0, 0),
+        half_sizes=(0.3, 0.02, 0.02),
+        edge_radius=0.005,
+        axis=(0, 1, 0),
+        spin=spin,
+    )
+    hung = over_a_box().ropes[0].replace(shape=Straight(start=(3, 0, 0), direction=(0, 0, -1)))
+    run = RunSettings(method="implicit-euler", time_step=1 / 60, duration=0.5)
+    return Scene(ropes=[hung], anchors=[Anchor(node=0)], obstacles=[body], run=run)
+
+
+@pytest.mark.parametrize("mass", [2.0, None])
+def test_page_progress_and_table_tell_one_energy_error(mass: float | None) -> None:
+    """The page and the bar left out what the boom erred by, all but a thousandth of it."""
+    scene = boom(mass)
+    result, track = rw.simulate(scene), Track(scene)
+    error = result.energy_error[-1]
+    assert (abs(error) > 0.1) == (mass is not None)
+    track.advance(30)
+    assert picture(track).scalars["energy_error"] == pytest.approx(error, rel=1e-9, abs=1e-12)
+    told = Recorded(result).picture(result.frames - 1).scalars["energy_error"]
+    assert told == pytest.approx(error, rel=1e-9, abs=1e-12)
+    simulation = Simulation(scene)
+    whole = join([simulation.recording(), *simulation.frames()])
+    drift = energy_error(whole, scene) - energy_error(whole.head(1), scene)
+    assert drift == pytest.approx(error, rel=1e-9, abs=1e-12)
+
+
+@pytest.mark.parametrize("again", ["kept", "heavier", "gone"])
+def test_an_edit_of_a_boom_is_no_error(again: str) -> None:
+    """What it gives or takes of a body's motion, it has put in."""
+    scenes = {"kept": boom(), "heavier": boom(3.0), "gone": boom().replace(obstacles=[])}
+    track = Track(boom())
+    track.advance(12)
+    before = picture(track).scalars["energy_error"]
+    assert abs(before) > 0.02
+    track.edit(Edit(scenes[again], same_nodes(track.simulation.layout)))
+    assert picture(track).scalars["energy_error"] == pytest.approx(before, rel=1e-9)

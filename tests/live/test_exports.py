@@ -76,3 +76,25 @@ def test_energies_count_on_from_part_to_part(tmp_path: Path) -> None:
     for row in found:
         parts_of = [float(row[f"{name} energy [J]"]) for name in ("kinetic", "gravity", "elastic")]
         assert float(row["total energy [J]"]) == pytest.approx(sum(parts_of), abs=1e-9)
+
+
+@pytest.mark.parametrize("pinned", [False, True])
+def test_a_kick_is_no_error_of_a_table(tmp_path: Path, pinned: bool) -> None:
+    """It was one until the next part began: 2.3 J. Of one part and of two."""
+    session = Session(slack_rope(4))
+    keeper, shown = Keeper(session, tmp_path / "run"), [picture(session.main).scalars]
+    for kind, keys in (("kick", {"node": 3, "velocity": (0.0, 3.0, 0.0)}), ("pin", {"node": 1})):
+        session.advance(session.frame_steps)
+        shown.append(picture(session.main).scalars)
+        if kind == "kick" or pinned:
+            do(session, kind, **keys)
+    session.advance(session.frame_steps)
+    shown.append(picture(session.main).scalars)
+    found = rows(keeper.flush(), "energies.csv", tmp_path / "made")
+    keeper.close()
+    assert ("part" in found[0]) == pinned
+    told = {float(row["time [s]"]): float(row["energy error [J]"]) for row in found}
+    assert shown[2]["put_in"] > 2.0
+    assert [told[one["time"]] for one in shown] == pytest.approx(
+        [one["energy_error"] for one in shown], abs=1e-9
+    )

@@ -96,6 +96,31 @@ def test_energies_go_on_through_the_parts(tmp_path: Path) -> None:
     assert abs(shown[1]["gravity"]) > 0.1  # J: there is something to go on from
 
 
+def test_a_kick_within_a_part_is_put_in_when_it_is_given(tmp_path: Path) -> None:
+    """It was no part's, and so an error of 2.3 and 8.8 J, until the next one began."""
+    session = swinging()
+    keeper, shown = Keeper(session, tmp_path / "run"), []
+
+    def go(frames: int) -> None:
+        for _ in range(frames):
+            session.advance(session.frame_steps)
+            shown.append(picture(session.main).scalars)
+
+    go(3)
+    for _ in range(2):
+        do(session, "kick", node=3, velocity=(0.0, 3.0, 0.0))
+        go(2)
+    do(session, "pin", node=1)
+    go(2)
+    keeper.close()
+    first, second = ReplayBroadcast(tmp_path / "run", playing=False).parts
+    told = [part.picture(k).scalars for part in (first, second) for k in range(1, part.frames)]
+    assert len(told) == len(shown)
+    assert shown[3]["put_in"] - shown[2]["put_in"] > 0.1
+    for name in ("put_in", "energy_error", "lost"):
+        assert [one[name] for one in told] == pytest.approx([one[name] for one in shown], abs=1e-9)
+
+
 @pytest.mark.parametrize(
     "method", ["semi-implicit-euler", "bdf2"]
 )  # of two ropes bdf2 makes islands

@@ -107,6 +107,9 @@ def test_one_of_a_kind_is_told_as_one() -> None:
     loose = Rope(segments=19, made_of=links, shape=drawn)
     found = check(Scene(ropes=[loose], anchors=[Anchor(node=0), Anchor(node=-1)]), measure=False)
     assert "rope 'rope': 1 of 19 segments carries no tension at rest" in found.warnings
+    short = loose.replace(segments=1, shape=Straight(start=(0, 0, 0), end=(0.04, 0, 0)))
+    text = " ".join(check(Scene(ropes=[short], anchors=[Anchor(node=0)]), measure=False).warnings)
+    assert "1 of 1 segments starts shorter than its rest length" in text
     assert repr(replace(found, warnings=found.warnings[:1])).endswith("; 1 warning.")
     assert repr(replace(found, warnings=found.warnings[:1] * 2)).endswith("; 2 warnings.")
     wire = Material(EA=1e6, mass_per_length=0.5)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
 import ropewalk as rw
@@ -146,3 +148,16 @@ def test_a_stretch_of_little_more_than_one_is_told_apart_from_it() -> None:
         "is 1.0004 of its length and it allows 1:"
         in rw.equilibrium(scene).table["about the stretch limiter"]
     )
+
+
+@pytest.mark.parametrize("load", [500.0, 5e3])
+def test_a_sweep_keeps_what_the_table_tells(load: float) -> None:
+    """It kept 0.158 and a safety factor of 6.3 where the table and the check tell none."""
+    keep = ["utilisation.max", "safety_factor.min"]
+    ds = rw.sweep(loaded(load), {"gravity[2]": [-9.81]}, keep=keep, what="rest", on="here")
+    table = rw.equilibrium(loaded(load)).table
+    share = table.get("largest utilisation of the breaking load [%]", math.nan) / 100.0
+    factor = table.get("least safety factor [1]", math.nan)
+    assert (load > 1e3) == math.isnan(share)
+    assert float(ds.utilisation_max[0]) == pytest.approx(share, rel=1e-12, nan_ok=True)
+    assert float(ds.safety_factor_min[0]) == pytest.approx(factor, rel=1e-12, nan_ok=True)

@@ -14,7 +14,7 @@ from matplotlib.patches import PathPatch
 import ropewalk as rw
 from ropewalk import plots
 from ropewalk.plots.canvas import backdrop
-from ropewalk.plots.contact_forces import coils
+from ropewalk.plots.contact_forces import coils, pressing
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.contacts import each_frame, lying
 from ropewalk.record.export import export
@@ -103,6 +103,56 @@ def test_the_figure_draws_what_was_recorded(slipping: Result) -> None:
     assert "[N]" in above.get_ylabel()
     assert "[m]" in below.get_xlabel()
     assert any(line.get_linestyle() == "--" for line in below.lines)
+
+
+def test_the_figure_shows_what_presses_a_rope_from_both_sides() -> None:
+    """Pressed between a floor and a rope with 10 N its nodes were drawn with some 0.2 N, the sum of both."""
+    stuff = 'made_of = { kind = "material", EA = 1e4, mass_per_length = 0.1, axial_damping = 2.0 }'
+    result = rw.simulate(
+        loads(f"""
+[run]
+method = "implicit-euler"
+time_step = 0.0041666667
+duration = 0.3
+[contact]
+friction = 0.3
+[[obstacle]]
+name = "floor"
+kind = "plane"
+normal = [0, 0, 1]
+friction = 0.3
+[[rope]]
+name = "under"
+segments = 4
+length = 0.2
+diameter = 0.01
+{stuff}
+shape = {{ kind = "straight", start = [-0.1, 0, 0.005], end = [0.1, 0, 0.005] }}
+[[rope]]
+name = "over"
+segments = 1
+length = 0.2
+diameter = 0.01
+{stuff}
+shape = {{ kind = "straight", start = [0.01, -0.1, 0.015], end = [0.01, 0.1, 0.015] }}
+force = [{{ node = 0, force = [0, 0, -5] }}, {{ node = -1, force = [0, 0, -5] }}]
+""")
+    )
+    last = result.frames - 1
+    under = result.layout.span("under")
+    own = slice(under.first, under.last + 1)
+    net = np.linalg.norm(result.contact_force[last, own], axis=1)
+    weight = 0.02 * 9.81  # of each rope [N]
+    above = 10.0 + weight
+    assert pressing(result, last)[own].sum() == pytest.approx(2.0 * above + weight, rel=0.02)
+    assert pressing(result, last)[under.last + 1 :].sum() == pytest.approx(above, rel=0.02)
+    figure = plots.contact(result)
+    lines = figure.axes[0].lines
+    assert lines[0].get_ydata() == pytest.approx(pressing(result, last)[own])
+    assert lines[1].get_linestyle() == ":"
+    assert lines[1].get_ydata() == pytest.approx(net)
+    assert net.sum() < 0.2 * above
+    assert "pressed by both" in " ".join(" ".join(t.get_text().split()) for t in figure.texts)
 
 
 def test_vtk_has_the_forces_on_nodes(slipping: Result, tmp_path: Path) -> None:

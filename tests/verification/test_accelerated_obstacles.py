@@ -147,8 +147,10 @@ def test_friction_over_an_accelerated_drum_carries_what_it_does_by_short_steps(m
     assert tops[0] == pytest.approx(tops[1], rel=5e-3)
 
 
-def hoisted(method: str) -> Result:
-    """A rope over a drum whose axle comes to gain 3 m/s in every second, half a kilogram at each end."""
+def hoisted(
+    method: str, gain: float = 3.0, spin: Spin | None = None, step: float = FRAME
+) -> Result:
+    """A rope over a drum whose axle comes to gain so much in every second, half a kilogram at each end."""
     radius, half, hang = 0.055, 12, 20
     angles = np.linspace(math.pi, 0.0, half + 1)
     chord = 2.0 * radius * math.sin(0.5 * math.pi / half)
@@ -165,7 +167,7 @@ def hoisted(method: str) -> Result:
         loads=[Load(node=0, mass=0.5), Load(node=-1, mass=0.5)],
     )
     times = np.linspace(0.0, 1.0, 81)
-    gains = 3.0 * np.clip(times / 0.5, 0.0, 1.0)
+    gains = gain * np.clip(times / 0.5, 0.0, 1.0)
     speeds = np.concatenate([[0.0], np.cumsum(0.5 * (gains[1:] + gains[:-1])) / 80.0])
     rises = np.concatenate([[0.0], np.cumsum(0.5 * (speeds[1:] + speeds[:-1])) / 80.0])
     motion = Table(
@@ -173,8 +175,8 @@ def hoisted(method: str) -> Result:
         positions=[(0.0, 0.0, float(z)) for z in rises],
         interpolation="cubic",
     )
-    drum = Cylinder(start=(0, -0.1, 0), end=(0, 0.1, 0), radius=0.05, friction=0.4, motion=motion)
-    run = RunSettings(
-        method=method, duration=0.8, frame_rate=60.0, time_step=FRAME, start="at-rest"
-    )
+    drum = Cylinder(
+        start=(0, -0.1, 0), end=(0, 0.1, 0), radius=0.05, friction=0.4, motion=motion, spin=spin
+    )  # fmt: skip
+    run = RunSettings(method=method, duration=0.8, frame_rate=60.0, time_step=step, start="at-rest")
     return rw.simulate(Scene(ropes=[rope], obstacles=[drum], run=run))

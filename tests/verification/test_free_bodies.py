@@ -175,17 +175,20 @@ def test_a_body_whose_mass_is_off_its_axis_swings(method: Any, step: float, clos
     np.testing.assert_allclose(body.weight_work, gained, atol=1e-9 * np.ptp(gained))
 
 
+@pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize(
     ("friction", "bearing"), [(1.0, 0.0), (0.05, 0.0), (0.0, 0.01), (1.0, 1e4)]
 )
-def test_the_tangent_is_that_of_differences(friction: float, bearing: float) -> None:
+def test_the_tangent_is_that_of_differences(friction: float, bearing: float, share: float) -> None:
     """With what the body ties, pressed by gravity, in sticking and slipping, standing and turning."""
     spin = Spin(free=True, inertia=INERTIA, bearing=bearing, rate=0.0 if bearing > 1.0 else 0.3)
     scene = across(lever(spin, friction=friction), *IMPLICIT, gravity=g, height=TOP, duration=0.02)
     simulation = Simulation(scene)
     simulation.advance_frames(4)
     state = copy(simulation.arrays)
-    found, alone, wanted = tangent_and_differences(scene, state, 0.002, 1e-6, press=1e-4)
+    found, alone, wanted = tangent_and_differences(
+        scene, state, 0.002, 1e-6, press=1e-4, share=share
+    )
     assert np.abs(wanted).max() > 1.0
     tie = state.memory.obstacle.wheel[0, TIE]
     assert (tie == 0.0) == (bearing > 1.0)

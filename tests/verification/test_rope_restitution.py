@@ -378,6 +378,24 @@ def test_check_says_where_they_go_too_little_deep_or_too_deep() -> None:
     assert not notes(crossed(0.0)[0].replace(**{"contact.compliance": 1e-3}), "are pressed by")
 
 
+def test_check_reckons_with_a_held_rope_as_one_that_stands() -> None:
+    """Beside one it told 6.32 mm, as if what moves met it with the speed of two: less would do."""
+    soft = {"contact.compliance": 1e-3}
+
+    def told(heavy: float, *, held: bool) -> str:
+        scene = crossed(0.5, heavy=heavy)[0].replace(**soft)
+        if held:
+            anchors = [Anchor(rope="held", node=node) for node in (0, 1)]
+            ropes = [*scene.ropes, link("held", 5.0 * X, X, 0.0 * X)]
+            scene = scene.replace(ropes=ropes, anchors=anchors)
+        return notes(scene, "are pressed by")[0]
+
+    assert "meet at 2 m/s, to be reckoned with, are pressed by 4.47 mm" in told(LINK, held=True)
+    assert told(LINK, held=True) == told(LINK, held=False)
+    assert "meet at 2 m/s, to be reckoned with, are pressed by 6.03 mm" in told(0.1, held=False)
+    assert "meet at 1 m/s, to be reckoned with, are pressed by 10 mm" in told(0.1, held=True)
+
+
 def test_check_says_that_ropes_of_many_segments_keep_something_else() -> None:
     scene = crossed(0.5)[0]
     many = [scene.ropes[0], scene.ropes[1].replace(segments=4)]

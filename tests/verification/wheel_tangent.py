@@ -15,16 +15,18 @@ from ropewalk.scene import Scene
 
 
 def tangent_and_differences(
-    scene: Scene, state: State, ahead: float, size: float, press: float = 0.0
+    scene: Scene, state: State, ahead: float, size: float, press: float = 0.0, share: float = 0.0
 ) -> tuple[Floats, Floats, Floats]:
     """Return what a step of the nodes changes in the forces, each (3, n) [N/m].
 
     By the tangent, by it without what the body ties, and by differences; `ahead` [s] of `state`, off by some
     `size` [m] and a thousand times that in a second, and `press` [m] lower. The state's memory follows.
+    With a `share` that is of a step which bodies lead in, see `obstacle_lead`: 1 by implicit Euler.
     """
     table, memory = build(scene).system.node.obstacle, state.memory.obstacle
     rng, n = np.random.default_rng(0), state.x.shape[1]
     now = np.array([state.now[1] + ahead, state.now[1]])
+    memory.until[0] = -np.inf if share == 0.0 else state.now[1] + ahead / share
     x = state.x + ahead * state.v + size * rng.normal(size=(3, n)) - [[0.0], [0.0], [press]]
     v = state.v + 1e3 * size * rng.normal(size=(3, n))
 

@@ -268,7 +268,7 @@ def _warnings(
         if rope.short:
             warnings.append(
                 f"rope {rope.name!r}: {rope.short} of {rope.segments} segments "
-                f"{'starts' if rope.short == 1 else 'start'} shorter than their rest length"
+                f"{'starts shorter than its' if rope.short == 1 else 'start shorter than their'} rest length"
             )
         if rope.slack and (statics.solved or not may_say_nothing(model)):
             warnings.append(

@@ -12,9 +12,9 @@ from ropewalk.laws.striking import pushes
 from ropewalk.lowering import Model
 from ropewalk.lowering.rebound_checks import (
     RESOLVED,
+    deepest_meeting,
+    least_meeting,
     linear_to,
-    masses_that_meet,
-    meeting_speed,
     swings,
 )
 from ropewalk.statics import Statics
@@ -84,11 +84,8 @@ def _of_ropes(model: Model, statics: Statics) -> list[str]:
     if contact is None or contact.restitution == 0.0 or contact.compliance is None:
         return []
     soft, limit, allowed = contact.compliance, model.scene.run.tolerance, linear_to(model.system)
-    speed, (least, most) = (
-        reckoned_speed(model, statics),
-        masses_that_meet(model.system, model.state),
-    )
-    both = meeting_speed(model.system, model.state, speed)
+    speed, least = reckoned_speed(model, statics), least_meeting(model.system, model.state)
+    both, most = deepest_meeting(model.system, model.state, speed)
     shallow, deep = speed * math.sqrt(soft * least), both * math.sqrt(soft * most)
     found = []
     if 0.0 < shallow < RESOLVED * limit:

@@ -66,18 +66,20 @@ def telling_of_compiling() -> Iterator[None]:
         yield
 
 
-def energy_error(block: Block) -> float:
+def energy_error(block: Block, scene: Scene) -> float:
     """Return, for the last frame, total energy less the work of all laws without a potential [J].
 
-    Up to a constant: the energy at the run's start.
+    Up to a constant: the energy at the run's start. With what bodies err by that their weight turns.
     """
     from ropewalk.methods.recording import CONSERVATIVE, ENERGIES, work_names
+    from ropewalk.record.body_energies import unaccounted, weight_turns
 
     work, energy = block.recording.work[-1], block.recording.energy[-1]
     laws = work_names(len(energy) > len(ENERGIES))
     potential = [laws.index(law) for law in CONSERVATIVE if law in laws]
     done = work.sum() - sum(work[i] for i in potential)
-    return float(energy.sum() - done)
+    turned = unaccounted(block.recording.wheel[-1]) if weight_turns(scene) else 0.0
+    return float(energy.sum() - done + turned)
 
 
 def facts_of(now: float, end: float, speed: float, drift: float) -> tuple[str, ...]:
@@ -101,6 +103,7 @@ class RunProgress:
     def __init__(self, scene: Scene, *, quiet: bool = False) -> None:
         from ropewalk.core.deferred import clock
 
+        self._scene = scene
         self._bar = Bar(scene.name, shown=not quiet)
         self._held = ExitStack()
         self._clock = clock
@@ -129,11 +132,11 @@ class RunProgress:
         frame = now / done if done else 0.0
         if self._from is None:
             self._from = now - frame * block.frames
-            self._first = energy_error(block.head(1))
+            self._first = energy_error(block.head(1), self._scene)
             self._bar.begin(done - block.frames, planned)
         spent = self._clock() - self._begun
         speed = (now - self._from) / spent if spent > 0.0 else math.inf
-        drift = energy_error(block) - self._first
+        drift = energy_error(block, self._scene) - self._first
         self._bar.show(done, planned, facts_of(now, frame * planned, speed, drift))
 
     def __exit__(self, *error: Any) -> None:

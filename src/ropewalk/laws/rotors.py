@@ -20,13 +20,12 @@ from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import (
     DAMP,
     STIFF,
+    carried,
     cut,
     friction_at,
-    spring_pull,
-    surface_at,
-    turn_of,
 )
 from ropewalk.laws.hardening import squeezed
+from ropewalk.laws.obstacle_lead import carried_on, led_freely, turn_by_rate
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.wheel_rows import (
     ANGLE,
@@ -81,17 +80,16 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
     w = obstacles.wheel[o]
     hub, axle, grip, place = obstacles.hub[o], obstacles.axle[o], memory.grip[o], memory.place
     wheel, ties, axis = memory.wheel[w], memory.ties[w], (axle[0], axle[1], axle[2])
-    mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
-    then = surface_at(obstacles, o, now[1])
     h, total, slope, parts = span_of(wheel, now), 0.0, 0.0, 0.0
     angle = wheel[LEAD] + rate * h
-    turn = turn_of(angle)
+    then, (to, (ux, uy, uz), turn, per, own) = led_freely(obstacles, memory, o, now, angle)
+    by = turn_by_rate(obstacles, memory, o, now, angle, per)
     body, pose = body_of(obstacles, o), pose_of(obstacles, o, wheel[ANGLE] + angle)
     sweep = rates_of(obstacles, o, rate)[1]
     for i in range(x.shape[1]):
         if memory.held[i] != 0:
             continue
-        px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
+        px, py, pz = x[0, i] - to[0], x[1, i] - to[1], x[2, i] - to[2]
         g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
         depth = obstacles.thickness[i] - g
         pressed, k, _ = squeezed(obstacles, o, i, depth)
@@ -102,9 +100,10 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
         push = pressed - c * rise
         if not push > 0.0:
             continue
-        kt, mu = grip[STIFF, i], friction_at(grip, i, now[0] - now[1])
-        pull = spring_pull(kt, hub, axle, angle, then, grip, place, i, px, py, pz, turn)
-        pull = minus3(pull, scale3(c, u))
+        kt, ct, mu = grip[STIFF, i] + per * c, own * c, friction_at(grip, i, now[0] - now[1])
+        fx, fy, fz, sx, sy, sz = carried(hub, axle, angle, then, grip, place, i, px, py, pz, turn)
+        way = (sx, sy, sz)
+        pull = minus3((fx, fy, fz), plus3(scale3(kt, way), scale3(ct, u)))
         q = minus3(pull, scale3(dot3(n, pull), n))
         force = plus3(scale3(push, n), cut(q[0], q[1], q[2], mu * push))
         e = cross3(axis, arm)
@@ -115,7 +114,13 @@ def turning_torque(rate, x, v, obstacles, memory, o, now, keep):
             by_gap * dot3(n, dx) + by_place * dot3(uH, dx) + by_speed * dot3(uH, dv)
         )  # of what may pass
         more = -k * dot3(n, dx) - c * (dot3(dn, u) + dot3(n, dv) + more)
-        change = scale3(-1.0, plus3(scale3(kt, dx), scale3(c, dv)))
+        was = (
+            place[0, i] - then[0] - hub[0],
+            place[1, i] - then[1] - hub[1],
+            place[2, i] - then[2] - hub[2],
+        )
+        back = minus3(scale3(-h, cross3(axis, way)), carried_on(axle, by, was))  # of the way
+        change = scale3(-1.0, plus3(scale3(kt, back), scale3(ct, dv)))
         led = changes(n, dn, push, more, pull, change, mu)
         led = plus3(led, scale3(h, cross3(axis, force)))
         one = dot3(e, force)

@@ -20,9 +20,9 @@ import math
 
 from ropewalk.core.jit import deferred, kernel
 from ropewalk.laws.closing import closing
-from ropewalk.laws.contact_frame import DAMP, STIFF, cut, friction_at, surface_at
+from ropewalk.laws.contact_frame import DAMP, STIFF, carried, cut, friction_at, surface_at
 from ropewalk.laws.hardening import squeezed
-from ropewalk.laws.obstacle_pose import rotated
+from ropewalk.laws.obstacle_lead import carried_on, led_freely, turn_by_rate
 from ropewalk.laws.obstacle_shapes import probe
 from ropewalk.laws.rotors import find_turning, turning_torque, work_of_weight
 from ropewalk.laws.wheel_rows import (
@@ -112,7 +112,7 @@ def _list_nodes(x, v, obstacles, memory, o, now):
     w, count, since = obstacles.wheel[o], 0, now[0] - now[1]
     kind, center, axis = obstacles.kind[o], obstacles.center[o], obstacles.axis[o]
     size, grip, ties = obstacles.size[o], memory.grip[o], memory.ties[w]
-    mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
+    _, ((mx, my, mz), (ux, uy, uz), _, _, _) = led_freely(obstacles, memory, o, now, 0.0)
     for i in range(x.shape[1]):
         px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
         g, nx, ny, nz, ax, ay, az, ca, cb = probe(kind, center, axis, size, px, py, pz)
@@ -137,43 +137,36 @@ def _torque(rate, x, v, obstacles, memory, o, now, keep):
     With `keep` what the forces of the nodes change by with the rate is written.
     """
     w = obstacles.wheel[o]
-    center, axis, ties, place = obstacles.center[o], obstacles.axle[o], memory.ties[w], memory.place
+    hub, axis, ties, place = obstacles.hub[o], obstacles.axle[o], memory.ties[w], memory.place
     ax, ay, az = axis[0], axis[1], axis[2]
-    mx, my, mz, ux, uy, uz, _, _ = surface_at(obstacles, o, now[0])
-    bx, by, bz, _, _, _, _, _ = surface_at(obstacles, o, now[1])
     h, total, slope, parts = span_of(memory.wheel[w], now), 0.0, 0.0, 0.0
     least, greatest = math.inf, -math.inf
     angle = memory.wheel[w, LEAD] + rate * h
-    co, si = math.cos(angle), math.sin(angle)
+    then, (to, at, turn, per, own) = led_freely(obstacles, memory, o, now, angle)
+    by = turn_by_rate(obstacles, memory, o, now, angle, per)
+    grip = memory.grip[o]
     for t in range(int(memory.wheel[w, COUNT])):
         i = int(ties[NODE, t])
         nx, ny, nz = ties[NORMAL, t], ties[NORMAL + 1, t], ties[NORMAL + 2, t]
-        grip = memory.grip[o]
-        k, c = grip[STIFF, i], grip[DAMP, i]
-        ox, oy, oz = (
-            x[0, i] - mx - center[0],
-            x[1, i] - my - center[1],
-            x[2, i] - mz - center[2],
-        )
+        k, c = grip[STIFF, i] + per * grip[DAMP, i], own * grip[DAMP, i]
+        px, py, pz = x[0, i] - to[0], x[1, i] - to[1], x[2, i] - to[2]
+        ox, oy, oz = px - hub[0], py - hub[1], pz - hub[2]
         ex, ey, ez = ay * oz - az * oy, az * ox - ax * oz, ax * oy - ay * ox
-        # the spring's force and where the node was, turned along
-        fx, fy, fz = rotated(axis, co, si, grip[0, i], grip[1, i], grip[2, i])
-        wx, wy, wz = rotated(
-            axis,
-            co,
-            si,
-            place[0, i] - bx - center[0],
-            place[1, i] - by - center[1],
-            place[2, i] - bz - center[2],
+        fx, fy, fz, dx, dy, dz = carried(hub, axis, angle, then, grip, place, i, px, py, pz, turn)
+        qx = fx - k * dx - c * (v[0, i] - at[0] - rate * ex)
+        qy = fy - k * dy - c * (v[1, i] - at[1] - rate * ey)
+        qz = fz - k * dz - c * (v[2, i] - at[2] - rate * ez)
+        fx, fy, fz = h * fx, h * fy, h * fz
+        was = (
+            place[0, i] - then[0] - hub[0],
+            place[1, i] - then[1] - hub[1],
+            place[2, i] - then[2] - hub[2],
         )
-        qx = fx - k * (ox - wx) - c * (v[0, i] - ux - rate * ex)
-        qy = fy - k * (oy - wy) - c * (v[1, i] - uy - rate * ey)
-        qz = fz - k * (oz - wz) - c * (v[2, i] - uz - rate * ez)
-        gx, gy, gz = h * (fx + k * wx), h * (fy + k * wy), h * (fz + k * wz)
+        gx, gy, gz = carried_on(axis, by, was)
         sx, sy, sz = (
-            ay * gz - az * gy + c * ex,
-            az * gx - ax * gz + c * ey,
-            ax * gy - ay * gx + c * ez,
+            ay * fz - az * fy + k * gx + c * ex,
+            az * fx - ax * fz + k * gy + c * ey,
+            ax * fy - ay * fx + k * gz + c * ez,
         )
         along, rise = qx * nx + qy * ny + qz * nz, sx * nx + sy * ny + sz * nz
         qx, qy, qz = qx - along * nx, qy - along * ny, qz - along * nz

@@ -95,28 +95,29 @@ def _joined(results: Sequence[Result], quantity: str, every: int) -> Table:
     if not found:
         raise InputError("quantities", quantity, "was not recorded in this run")
     first = found[0][1]
-    if len(results) == 1:
+    if len(results) == 1 and quantity != "energy":
         return first
-    carried = [dict[str, float]()] * len(results)
-    if quantity == "energy":
-        carried = [_carried(part) for part in followed(results)]
+    counted = followed(results) if quantity == "energy" else []
+    number_of = ["part"] if len(results) > 1 else []
     headers = list(dict.fromkeys(name for _, table in found for name in table.headers))
 
     def pieces() -> Iterator[list[NDArray[Any]]]:
         for number, table in found:
             for columns in table.pieces():
                 known, rows = dict(zip(table.headers, columns, strict=True)), len(columns[0])
-                for name, energy in carried[number - 1].items():
-                    known[name] = known[name] + energy
+                for part in counted[number - 1 : number]:
+                    for name, energy in _carried(part, known["time [s]"]).items():
+                        known[name] = known[name] + energy
                 nothing = np.full(rows, "", dtype=object)
-                yield [*(known.get(name, nothing) for name in headers), np.full(rows, number)]
+                own = (known.get(name, nothing) for name in headers)
+                yield [*own, *(np.full(rows, number) for _ in number_of)]
 
-    return Table(first.name, [*headers, "part"], pieces)
+    return Table(first.name, [*headers, *number_of], pieces)
 
 
-def _carried(part: Recorded) -> dict[str, float]:
-    """Return what is to be added to a part's own columns of energy [J]."""
-    gravity, error = part.carried_gravity, part.carried_error
+def _carried(part: Recorded, time: Any) -> dict[str, Any]:
+    """Return what is to be added to a part's own columns of energy at some times [s] [J]."""
+    gravity, error = part.carried_gravity, part.carried_error - part.given(time)
     return {
         "gravity energy [J]": gravity,
         "total energy [J]": gravity,

@@ -24,7 +24,7 @@ from ropewalk.live.bodies import Spot, Way, spots, ways_of, with_ways
 from ropewalk.live.commands import Command
 from ropewalk.live.frozen import Frozen, scene_now
 from ropewalk.live.gaps import Parted
-from ropewalk.live.recorded_touch import BOOKS_GO_ON, GIVEN
+from ropewalk.live.recorded_touch import BOOKS_GO_ON, GIVEN, PUT_IN
 from ropewalk.live.session import Session
 from ropewalk.lowering import Layout, Plan
 from ropewalk.record.errors import RunError
@@ -88,6 +88,7 @@ class Keeper:
         self._changed = -math.inf  # [s] when constants alone last began a part
         self._taken: dict[str, tuple[bool, bool]] = {}  # bodies that hands have moved, turned
         self._parted: tuple[Parted, ...] = ()  # what was told of
+        self._edited = 0.0  # [J] put in by changes until what was told last
         self._held = ExitStack()
         if go_on:
             self._held.enter_context(locked(folder))
@@ -123,12 +124,15 @@ class Keeper:
         parted = session.main.parted
         new = tuple(one for one in parted if one not in self._parted)
         self._parted = parted
-        if new:
-            self._put(lambda: self._tell_parted(new))
+        for one, *_ in new:
+            self._tell(PARTED, **one._asdict())
         torn = simulation.layout != self._layout  # what has parted is two ropes now
         if torn or self._has_other_constants():
             self._new_part(Frozen.of(session))
             return
+        if session.main.edited != self._edited:  # by a kick, which begins no part
+            self._edited = session.main.edited
+            self._tell(PUT_IN, time=simulation.time, energy=self._edited)
         self._count += 1
         if self._count % self._every == 0:
             block, here = session.main.frame(), spots(simulation)
@@ -154,7 +158,17 @@ class Keeper:
         self._taken = {name: one.taken for name, one in here.items()}
         self._put(lambda: self._next_part(frozen.thaw(), layout, about, block, here))
 
+    def _tell(self, event: str, **more: Any) -> None:
+        """Log what has happened in the part in which it did."""
+
+        def job() -> None:
+            if self._part is not None:
+                log(self._part.folder, event, **more)
+
+        self._put(job)
+
     def _begins(self, layout: Layout) -> None:
+        self._edited = self.session.main.edited
         self._layout, self._due = layout, False
         self._scene = self._seen = self.session.main.scene
         frame = max(_BYTES_OF_A_NODE * layout.nodes, 1)
@@ -188,12 +202,6 @@ class Keeper:
             log(made, "started", live=1)
         writer.folder = folder / DATA
         self._part = Part(folder, writer, facts, scene, ways, False, 1, float(block.time[-1]))
-
-    def _tell_parted(self, new: tuple[Parted, ...]) -> None:
-        """Log what has parted in the part in which it did."""
-        if self._part is not None:
-            for one, *_ in new:
-                log(self._part.folder, PARTED, **one._asdict())
 
     def _add(self, block: Block, here: dict[str, Spot]) -> None:
         part = self._part

@@ -9,11 +9,12 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.frame import Picture, Shape, turns_of
 from ropewalk.live.losses import losses_and_gifts
-from ropewalk.live.recorded_touch import GIVEN, RecordedTouch
+from ropewalk.live.recorded_touch import GIVEN, PUT_IN, RecordedTouch
 from ropewalk.live.recorded_touch import NAMES as TOUCHED
 from ropewalk.live.seen import Seen
 from ropewalk.lowering.masses import line, masses
 from ropewalk.record.beyond import until_torn
+from ropewalk.record.body_energies import unaccounted, weight_turns
 from ropewalk.record.extremes import had_rope
 from ropewalk.record.quantities import PULLEYS
 from ropewalk.record.result import Result
@@ -33,6 +34,14 @@ class Recorded:
         self.result = result
         past = until_torn(result)
         self.past = past if past is not None and past.last == result.frames - 1 else None
+        self._weight_turns = weight_turns(result.scene) and PULLEYS in result.source.names
+        begun = float(result.facts.provenance.get(GIVEN) or 0.0)
+        told = [
+            (one["time"], one["energy"] - begun) for one in result.events if one["event"] == PUT_IN
+        ]
+        self._changed = np.array(told, dtype=np.float64).reshape(
+            -1, 2
+        )  # what changes put in [s, J]
         self.first_energy, self._first_gravity = 0.0, float(self._energy(0)[0][1])
         self.first_energy = self._error(0)
         #: What a session has to add to the run's own energy of gravity, and to its energy error [J].
@@ -108,7 +117,20 @@ class Recorded:
         """Return what no law accounts for in a frame's energy [J]."""
         energy, work = self._energy(frame)
         losses, gifts = losses_and_gifts(work, self.result.layout.bends, self.result.layout.more)
-        return float(energy.sum()) - self.first_energy - losses - gifts
+        turned = self.result.read(PULLEYS, frame, frame + 1)[0] if self._weight_turns else None
+        given = float(self.given(self.result.read("time", frame, frame + 1))[0])
+        total = float(energy.sum()) + self._of_bodies(turned)
+        return total - self.first_energy - losses - gifts - given
+
+    def given(self, time: Floats) -> Floats:
+        """Return what kicks and the like have put in since the part began until some times [s] [J]."""
+        number = np.searchsorted(self._changed[:, 0], time + 1e-9, side="right")
+        found: Floats = np.concatenate(([0.0], self._changed[:, 1]))[number]
+        return found
+
+    def _of_bodies(self, wheels: Floats | None) -> float:
+        """Return what no law accounts for in bodies' energies [J], of `wheels` (w, 7), up to a constant."""
+        return 0.0 if wheels is None or not self._weight_turns else float(unaccounted(wheels))
 
     def _gravity_zero(self) -> float:
         """Return the energy of gravity as it is counted, less that over the origin [J]."""
@@ -132,7 +154,9 @@ class Recorded:
         driven, layout = self.touched.works_at(data, row).driven, result.layout
         driven = 0.0 if np.isnan(driven) else driven
         losses, gifts = losses_and_gifts(work, layout.bends, layout.more, driven)
-        total = float(energy.sum())
+        total = float(energy.sum()) + self._of_bodies(
+            data[PULLEYS][row] if PULLEYS in data else None
+        )
         heights = positions @ np.array(result.scene.up)
         tension = data["tension"][row]
         ground = result.scene.ground
@@ -141,6 +165,7 @@ class Recorded:
         nodes = list(result.layout.anchor_nodes)
         anchors = np.zeros((len(nodes), 10))
         time = float(data["time"][row])
+        given = float(self.given(data["time"][row : row + 1])[0])
         anchors[:, :3], anchors[:, 3:6] = positions[nodes], velocities[nodes]
         anchors[:, 9] = [until is None or time < until for until in self.until]
         if "reactions" in data:
@@ -156,8 +181,8 @@ class Recorded:
             "gravity": float(energy[1]) - self._first_gravity,
             "elastic": float(energy[2:].sum()),
             "lost": -losses,
-            "put_in": gifts + self._given,
-            "energy_error": total - self.first_energy - losses - gifts,
+            "put_in": gifts + self._given + given,
+            "energy_error": total - self.first_energy - losses - gifts - given,
             "tension_max": float(seen.greatest_tension.max(initial=0.0)),
             "strain_max": self._strain(data.get("elastic_tension", data["tension"])[row]),
             "low": float(seen.least_height.min()),

@@ -35,6 +35,8 @@ _RUB = ENTRIES.index("friction")
 BOOKS_GO_ON = "contact_books_go_on"
 #: There, too: what the session's changes have put in until the part begins [J].
 GIVEN = "put_in_by_changes"
+#: Event of a part: what they have put in until then [J], as of a kick, which begins no part.
+PUT_IN = "put in by changes"
 
 
 class Works(NamedTuple):

@@ -29,6 +29,7 @@ from ropewalk.lowering import Plan, build, with_all_laws
 from ropewalk.lowering.joint_tables import tied_with
 from ropewalk.methods.partings import time_of_news
 from ropewalk.methods.recording import Recording, bends
+from ropewalk.record.body_energies import unaccounted, weight_turns
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
 from ropewalk.simulation import Simulation, Snapshot
@@ -105,8 +106,12 @@ class Track:
 
     @property
     def energy(self) -> float:
-        """Kinetic, gravity and elastic energy together [J]."""
-        return float(self.simulation.recording().recording.energy[0].sum())
+        """Kinetic, gravity and elastic energy together [J], and what no law accounts for in bodies'."""
+        return self._energy(self.simulation.recording().recording)
+
+    def _energy(self, now: Recording) -> float:
+        ropes = float(now.energy[0].sum())
+        return ropes + (float(unaccounted(now.wheel[0])) if weight_turns(self.scene) else 0.0)
 
     def _gravity_zero(self) -> float:
         """Energy of gravity as it is counted, less that over the origin [J], what is on drums left out."""
@@ -318,8 +323,7 @@ class Track:
         """Return lost, put in, and the method's error [J], from what is recorded of the present frame."""
         works, before = self._works(now), self._first_works
         losses, gifts = works[0] - before[0], works[1] - before[1] + self.edited
-        energy = float(now.energy[0].sum())
-        return -losses, gifts, energy - self.first_energy - losses - gifts
+        return -losses, gifts, self._energy(now) - self.first_energy - losses - gifts
 
     def _works(self, now: Recording) -> tuple[float, float]:
         """Return losses and gifts since the simulation began [J], from what is recorded of now."""

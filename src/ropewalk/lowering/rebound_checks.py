@@ -54,11 +54,8 @@ def contact_rebound_faults(scene: Scene, system: System, state: State) -> Iterat
         return
     yield from _by_method(scene.run.method, path, contact.restitution)
     if contact.compliance is None:
-        told, (_, most) = _WHY, masses_that_meet(system, state)
-        speed, deep = (
-            meeting_speed(system, state, fastest(system, state)),
-            _LESS * linear_to(system),
-        )
+        told, deep = _WHY, _LESS * linear_to(system)
+        speed, most = deepest_meeting(system, state, fastest(system, state))
         if speed > 0.0 and most > 0.0:
             told += (
                 f"; with {rounded_down((deep / speed) ** 2 / most, 2)} segments that meet at {speed:.3g} m/s "
@@ -73,28 +70,32 @@ def linear_to(system: System) -> float:
     return float(3.0 * LAYER * 2.0 * table.radius[table.rope >= 0].min())
 
 
-def masses_that_meet(system: System, state: State) -> tuple[float, float]:
-    """Return the least and the largest mass [kg] as which two segments may meet: ends, and middles.
+def least_meeting(system: System, state: State) -> float:
+    """Return the least mass [kg] as which two segments may meet, at their ends; 0 where none is free."""
+    one, other = _ease(system, state)
+    ends = float(np.sort(np.concatenate([one, other]))[-2:].sum())
+    return 1.0 / ends if ends > 0.0 else 0.0
 
-    0 where none is free.
+
+def deepest_meeting(system: System, state: State, speed: float) -> tuple[float, float]:
+    """Return how fast [m/s], and as which mass [kg], segments meet in their middles that go deepest so.
+
+    Of ropes whose fastest node has a speed: two come at each other with twice that, a held one stands. Zeros
+    where none is free.
     """
+    middles = np.sort(0.25 * sum(_ease(system, state)))
+    moves = middles[middles > 0.0]
+    met = [(2.0 * speed, float(1.0 / moves[:2].sum()))] if len(moves) > 1 else []
+    if len(moves) and (len(moves) < len(middles) or not met):
+        met.append((speed, float(1.0 / moves[0])))
+    return max(met, key=lambda one: one[0] ** 2 * one[1], default=(0.0, 0.0))
+
+
+def _ease(system: System, state: State) -> tuple[Floats, Floats]:
+    """Return the inverse masses of all segments' first and second nodes, as they meet others, (s,) [1/kg]."""
     table, inverse = system.node.contact, state.inverse_mass
     ease, ropes = inverse / (1.0 + inverse * table.joined), np.flatnonzero(table.rope >= 0)
-    one, other = ease[ropes], ease[ropes + 1]
-    ends = np.sort(np.concatenate([one, other]))[-2:]
-    middles = np.sort(0.25 * (one + other))
-    moves = middles[middles > 0.0]
-    if not len(moves):
-        return 0.0, 0.0
-    held = len(moves) < len(middles)
-    return float(1.0 / ends.sum()), float(1.0 / (moves[0] if held else moves[:2].sum()))
-
-
-def meeting_speed(system: System, state: State, speed: float) -> float:
-    """Return how fast two segments may meet of ropes whose fastest node has a speed [m/s]."""
-    ropes = np.flatnonzero(system.node.contact.rope >= 0)
-    moves = (state.inverse_mass[ropes] > 0.0) | (state.inverse_mass[ropes + 1] > 0.0)
-    return 2.0 * speed if np.count_nonzero(moves) > 1 else speed
+    return ease[ropes], ease[ropes + 1]
 
 
 def _by_method(method: str, path: str, given: float) -> Iterator[Fault]:

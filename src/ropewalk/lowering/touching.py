@@ -177,17 +177,20 @@ def beyond_mean(
     axle, turn = table.axle[o], now[6] - before[6]
     aside = np.cross(axle, arms)
     chord = math.sin(turn) * aside - (1.0 - math.cos(turn)) * np.cross(axle, aside)
-    rate = now[7] if turn != 0.0 else 0.0  # what turns freely is known at `t` only
-    return now[3:6] - (now[:3] - before[:3]) / span, rate * aside - chord / span
+    return now[3:6] - (now[:3] - before[:3]) / span, now[7] * aside - chord / span
 
 
-def at_rates(table: Obstacles, wheels: Floats, t: float) -> Obstacles:
-    """Return the same obstacles, those that turn freely as recorded at time `t` [s], rows of `RECORDED`."""
+def at_rates(table: Obstacles, wheels: Floats, t: float, span: float = 0.0) -> Obstacles:
+    """Return the same obstacles, those that turn freely as recorded at time `t` [s], rows of `RECORDED`.
+
+    They have turned at their rate for `span` [s]: of a run by implicit Euler that is so for its step.
+    """
     spin, params = table.spin.copy(), table.turns.params.copy()
     free = table.wheel >= 0
     which = table.wheel[free]
-    spin[free] = 0.0, t, np.inf
-    spin[free, 0], params[free, 0] = wheels[which, 1], wheels[which, 0]
+    spin[free] = 0.0, t - span, np.inf
+    spin[free, 0] = wheels[which, 1]
+    params[free, 0] = wheels[which, 0] - wheels[which, 1] * (t - spin[free, 1])
     turns = table.turns._replace(params=params)
     return table._replace(spin=spin, turns=turns, wheel=np.full_like(table.wheel, -1))
 

@@ -25,6 +25,7 @@ from ropewalk.plots.style import (
 )
 from ropewalk.plots.torn import broken_note
 from ropewalk.record.contacts import each_frame
+from ropewalk.record.quantities import ROPE_CONTACTS
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -33,6 +34,13 @@ _BARS = ("cylinder", "capsule")  # round which a rope is wound
 _FEWEST = 3  # nodes of a wrap
 _TOLD = 6  # wraps that the note tells of
 _MOST_ROPES = 8  # that a legend names
+_SHOWN = (
+    0.01  # of the largest force: so much must cancel on a node for the sums to be drawn, too [1]
+)
+CANCELS = (
+    "The sizes of all forces on a node, added up; dotted: added as vectors. What lies between two others "
+    "is pressed by both."
+)
 
 
 @dataclass(frozen=True)
@@ -95,6 +103,7 @@ def coils(result: Result, frame: int) -> list[Coil]:
 def contact(result: Result, time: float | None = None) -> Figure:
     """Draw the forces of contacts on the nodes, and the tension, along the ropes at a `time` [s].
 
+    The sizes of all forces on a node are added up, and where some cancel their sum is dotted, see `pressing`.
     By default the last frame, or the last good one. Along a wrap round a bar the dashed line is
     T0 exp(mu s / R) from the slack side on (Euler, Eytelwein), with how far the recorded rope has turned
     as s / R: a rope that sticks lies below, one that slips on it, but for its weight, which the formula
@@ -108,27 +117,58 @@ def contact(result: Result, time: float | None = None) -> Figure:
     found = coils(result, frame)
     figure = new_figure(7.2, 5.4)
     above, below = figure.subplots(2, 1, sharex=True)
-    _draw_forces(above, result, frame)
+    cancels = _draw_forces(above, result, frame)
     _draw_tension(below, result, frame, found)
     set_title(
         figure, f"{result.scene.name}: contact at t = {result.time[frame]:.4g} s", describe(result)
     )
     notes = broken_note(result, good_frames(result))
     on_ropes = result.scene.contact is not None
+    notes += [CANCELS] if cancels else []
     set_note(figure, notes + [_told(coil, on_ropes) for coil in found[:_TOLD]])
     return figure
 
 
-def _draw_forces(axes: Axes, result: Result, frame: int) -> None:
-    sizes = np.linalg.norm(result.contact_force[frame], axis=1)
+def pressing(result: Result, frame: int) -> Floats:
+    """Return the sizes of all contact forces on each node at a frame, added up, (nodes,) [N].
+
+    What lies between two others is pressed by both, though their forces cancel in `contact_force`. That of
+    ropes on a segment goes to its two nodes by the lever. What was recorded without the contacts of ropes
+    has the size of the sum on each node.
+    """
+    if ROPE_CONTACTS not in result.source.names:
+        together: Floats = np.linalg.norm(result.contact_force[frame], axis=1)
+        return together
+    found = np.zeros(result.layout.nodes)
+    for _, contacts in each_frame(result, [frame]):
+        force = contacts.push[:, None] * contacts.normal + contacts.rub
+        np.add.at(found, contacts.node, np.linalg.norm(force, axis=1))
+    kept = result.read(ROPE_CONTACTS, frame, frame + 1)[0]
+    kept = kept[np.isfinite(kept[:, 0])]
+    force = np.linalg.norm(kept[:, 5:8], axis=1)
+    for segments, at in ((kept[:, 0], kept[:, 2]), (kept[:, 1], kept[:, 3])):
+        np.add.at(found, segments.astype(np.int64), (1.0 - at) * force)
+        np.add.at(found, segments.astype(np.int64) + 1, at * force)
+    return found
+
+
+def _draw_forces(axes: Axes, result: Result, frame: int) -> bool:
+    """Draw what presses on nodes; return whether some of it cancels."""
+    sizes = pressing(result, frame)
+    together = np.linalg.norm(result.contact_force[frame], axis=1)
+    cancels = bool((sizes - together).max(initial=0.0) > _SHOWN * sizes.max(initial=0.0))
     for number, span in enumerate(result.layout.ropes):
-        own = sizes[span.first : span.last + 1]
-        arc = node_arcs(result, frame, span.name)
-        axes.plot(arc, own, marker=".", label=escape(span.name), **line_style(number))
+        arc, own = node_arcs(result, frame, span.name), slice(span.first, span.last + 1)
+        (line,) = axes.plot(
+            arc, sizes[own], marker=".", label=escape(span.name), **line_style(number)
+        )
+        if cancels:
+            axes.plot(arc, together[own], color=line.get_color(), linestyle=":", label="_sum")
     axes.set_ylim(bottom=0.0)
-    scaled_axis(axes, "force on a node", "N", max(map(abs, axes.get_ylim())))
+    scaled_axis(axes, "contact forces", "N", max(map(abs, axes.get_ylim())))
     if 1 < len(result.layout.ropes) <= _MOST_ROPES:
         axes.legend(ncols=4, loc="lower left", bbox_to_anchor=(0.0, 1.0))
+    return cancels
 
 
 def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> None:

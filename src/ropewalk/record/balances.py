@@ -116,7 +116,7 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     worst, scale = float(error[np.argmax(np.abs(error))]), weight_times_length(scene)
     if not METHODS[plan.method].implicit and not is_damped(scene) and scale > 0.0:
         return _made_up(plan, worst, scale) if abs(worst) > MOST * scale else ""
-    if not share > TURNED or abs(worst) <= _hardly_any(scene):
+    if not share > TURNED or abs(worst) <= hardly_any(scene):
         return ""
     steps = f"steps of {1e3 * plan.dt:.3g} ms"
     if plan.tolerance is not None:
@@ -128,7 +128,7 @@ def energy_note(result: Result, error: Floats, share: float) -> str:
     )
 
 
-def _hardly_any(scene: Scene) -> float:
+def hardly_any(scene: Scene) -> float:
     """Return an energy [J] that is none: of a rope that hardly moves, or, without weight, of rounding."""
     if scale := weight_times_length(scene):
         return _NOTHING * scale

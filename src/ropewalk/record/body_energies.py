@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, NamedTuple
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.wheel_rows import RECORDED
 from ropewalk.record.quantities import PULLEYS
-from ropewalk.scene.obstacles import is_free
+from ropewalk.scene.obstacles import has_mass
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
+    from ropewalk.scene import Scene
 
 _KINETIC, _ROPES, _BEARING, _WEIGHT = (
     RECORDED.index(name)
@@ -27,16 +28,24 @@ class Turning(NamedTuple):
 
 
 def turning_of(result: Result) -> Turning | None:
-    """Return the energies of what turns freely; None where no weight turns anything or it was not kept.
-
-    Where none does the works are all that changes the energy, by how they are booked.
-    """
-    free = (body.spin for body in result.scene.obstacles if is_free(body))
-    if (
-        not any(spin and spin.mass is not None for spin in free)
-        or PULLEYS not in result.source.names
-    ):
+    """Return the energies of what turns freely; None where no weight turns anything or it was not kept."""
+    if not weight_turns(result.scene) or PULLEYS not in result.source.names:
         return None
-    each = result.read(PULLEYS).sum(axis=1)
-    error = each[:, _KINETIC] - each[:, _ROPES] - each[:, _BEARING] - each[:, _WEIGHT]
-    return Turning(each[:, _KINETIC], -each[:, _WEIGHT], error - error[0])
+    each = result.read(PULLEYS)
+    kinetic, weight = (each[..., one].sum(axis=1) for one in (_KINETIC, _WEIGHT))
+    error = unaccounted(each)
+    return Turning(kinetic, -weight, error - error[0])
+
+
+def weight_turns(scene: Scene) -> bool:
+    """Tell whether its weight turns a body. Where none does works are booked as all that changes energies."""
+    return any(has_mass(body) for body in scene.obstacles)
+
+
+def unaccounted(wheels: Floats) -> Floats:
+    """Return, up to a constant, what no law accounts for in bodies' energies [J], (...), of (..., w, 7)."""
+    each = wheels.sum(axis=-2)
+    error: Floats = (
+        each[..., _KINETIC] - each[..., _ROPES] - each[..., _BEARING] - each[..., _WEIGHT]
+    )
+    return error

@@ -238,7 +238,7 @@ def touching(
     `there` (s,) tells which segments are rope, neither on a drum nor parted; `wheels` are rows of
     `wheel_rows.RECORDED`, None where nothing turns freely; for `only` and `span` see `contacts_at`.
     """
-    then = table if wheels is None else at_rates(table, wheels, t)
+    then = table if wheels is None else at_rates(table, wheels, t, span)
     return contacts_at(then, x, v, force, there.astype(float), t, only, span)
 
 

@@ -154,13 +154,18 @@ def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
         return None
     use, guess, knot, both = ((result.layout.rope_of(one.place)[0], one.value) for one in near)
     told, scene = Margin(*use, *guess, *knot, *both), result.scene
-    beyond = rests_beyond(result, found)
-    changed = joined_ropes(scene, result.layout, beyond) if beyond else set()
+    beyond, changed = _limited(result, found)
     if all(breaking_load(rope) is None for rope in scene.ropes if rope.name in changed):
         return told
     if least_worst(scene.rope_named(told.doubted), told.as_given) <= 1.0:
         return None
     return told._replace(least=told.name not in changed - beyond)  # what is joined may be relieved
+
+
+def _limited(result: Result, found: dict[str, Extreme]) -> tuple[set[str], set[str]]:
+    """Return the ropes that rest beyond their limiter, and those with what is joined to them."""
+    beyond = rests_beyond(result, found)
+    return beyond, joined_ropes(result.scene, result.layout, beyond) if beyond else set()
 
 
 def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
@@ -188,7 +193,9 @@ def _greatest_share(result: Result, loads: Floats, pull: Extreme) -> Extreme:
 def shares(result: Result, tension: Floats) -> Floats:
     """Return tensions over breaking loads, (frames, segments) [1]; NaN where none is known.
 
-    At rest of what ropes or the anchors beside them bear, as in the table. Raises LookupError without a load.
+    At rest of what ropes or the anchors beside them bear, as in the table. There it is NaN of ropes that a
+    stretch limiter would hold below their breaking load, and of all where such a one may come nearest, see
+    `margin`. Raises LookupError without a load.
     """
     loads = breaking_loads(result.scene, result.layout)
     if loads is None:
@@ -197,6 +204,15 @@ def shares(result: Result, tension: Floats) -> Floats:
     if result.status == AT_REST:
         for segment in filter(lambda one: math.isfinite(loads[one]), _pulled_most(result)):
             found[0, segment] = _borne(result, segment).most / float(loads[segment])
+    if result.status == AT_REST and result.scene.limiter:
+        seen = extremes(result)
+        if margin(result, seen) is None:
+            found[:] = math.nan
+        for name in _limited(result, seen)[1]:
+            span, rope = result.layout.span(name), result.scene.rope_named(name)
+            of_rope = found[:, span.first : span.last]
+            if not least_worst(rope, float(np.nan_to_num(of_rope).max())) > 1.0:
+                of_rope[:] = math.nan
     return found
 
 

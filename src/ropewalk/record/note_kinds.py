@@ -37,11 +37,13 @@ from ropewalk.record.margins import both_words, guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.pressed_rows import pressed_kind
 from ropewalk.record.quantities import has_rope, rest_length_at_start
+from ropewalk.record.seen_along import accelerated_alike
 from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
 from ropewalk.record.too_low import anchor_too_low, tension_too_low
 from ropewalk.record.turnover import (
     SUDDEN,
     nothing_is_loose,
+    own_errors,
     share_turned,
     stands,
     steady_note,
@@ -228,7 +230,7 @@ def _of_energy(result: Result) -> str:
     """Return what the table says of the energy, but what a large share is of: no sweep has the share."""
     if lost := lost_note(result):
         return lost
-    errors, share = result.energy_errors[: result.good_frames], share_turned(result)
+    errors, share = own_errors(result), share_turned(result)
     worst = float(np.abs(errors[np.isfinite(errors)]).max(initial=0.0))
     if steady_note(result, worst, share):
         return ""
@@ -251,7 +253,7 @@ def _keeps_energy(result: Result) -> bool:
     scale = weight_times_length(scene)
     if worst > MOST * scale and not (METHODS[result.plan.method].implicit or is_damped(scene)):
         return False
-    if not nothing_is_loose(result):
+    if not nothing_is_loose(result) or accelerated_alike(result):
         return False
     counts = forms if stands(scene) and not scene.parts else forms[:, _ELASTIC:]
     turned: float = max((np.maximum.reduce(counts) - np.minimum.reduce(counts)).tolist())

@@ -20,7 +20,7 @@ from ropewalk.record.body_energies import turning_of
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
 from ropewalk.record.joined_ropes import joined_ropes
-from ropewalk.record.turnover import own_kinetic
+from ropewalk.record.turnover import goes_evenly, own_errors, own_kinetic
 from ropewalk.theory.curve import at_strain, at_tension
 from ropewalk.words.percents import percent
 
@@ -47,7 +47,7 @@ def peak_energy_note(result: Result, peak: Extreme) -> str:
     if plan.method not in METHODS or not METHODS[plan.method].implicit or not peak.value > 0.0:
         return ""
     frame = min(int(np.searchsorted(result.time, peak.until)), result.frames - 1)
-    errors = result.energy_errors[: frame + 1]
+    errors = own_errors(result)[: frame + 1]
     errors = errors[np.isfinite(errors).all(axis=1)]
     lost = float(errors.max() - errors[-1].min()) if errors.size else 0.0
     about = slice(max(frame - 1, 0), frame + 1)
@@ -92,7 +92,7 @@ def _energy_of(result: Result, joined: set[str], about: slice) -> tuple[Floats, 
     if not others:
         return forms[0] + forms[1], True
     whole = [result.energy["kinetic"][about], forms[1]]
-    told, rest = _told(result, joined, about), _told(result, others, about)
+    told, rest = _told(result, joined, about, along=True), _told(result, others, about)
     own = [
         np.where(np.isnan(one), every - other, one)
         for one, every, other in zip(told, whole, rest, strict=True)
@@ -101,13 +101,16 @@ def _energy_of(result: Result, joined: set[str], about: slice) -> tuple[Floats, 
     return energy, not np.isnan(own).any()
 
 
-def _told(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats]:
+def _told(
+    result: Result, names: set[str], about: slice, *, along: bool = False
+) -> tuple[Floats, Floats]:
     """Return the energies of motion and of stretch of some ropes in frames [J], (frames,) each.
 
-    NaN where frames do not tell: of what winches wind, and of stretch that relaxes.
+    NaN where frames do not tell: of what winches wind, and of stretch that relaxes. `along`: the motion as
+    seen by who goes with their anchors, or with their middle, where that is less or anchors go evenly.
     """
     layout, frames = result.layout, about.stop - about.start
-    moving, taut = np.zeros(frames), np.zeros(frames)
+    taut, weight = np.zeros(frames), np.zeros(layout.nodes)
     wound = {winch.rope for winch in result.scene.winches}
     mass = masses(layout, tuple(line(rope) for rope in result.scene.ropes))[0]
     v = np.nan_to_num(result.read("velocities", about.start, about.stop))
@@ -117,10 +120,20 @@ def _told(result: Result, names: set[str], about: slice) -> tuple[Floats, Floats
         if rope.name not in names:
             continue
         if rope.name in wound:
-            return moving + math.nan, taut + math.nan
+            return np.full(frames, math.nan), np.full(frames, math.nan)
         nodes = slice(span.first, span.last + 1)
-        moving += 0.5 * (mass[nodes] * (v[:, nodes] ** 2).sum(axis=2)).sum(axis=1)
+        weight[nodes] = mass[nodes]
         taut += _stretch(rope, pull[:, span.first : span.last]).sum(axis=1)
+    moving = 0.5 * (v**2).sum(axis=2) @ weight
+    if along:
+        holds = [
+            node
+            for one, node in zip(result.scene.anchors, layout.anchor_nodes, strict=True)
+            if weight[node] > 0.0 and one.release_time is None
+        ]
+        way = v[:, holds].mean(axis=1) if holds else np.average(v, axis=1, weights=weight)
+        beside = 0.5 * ((v - way[:, None]) ** 2).sum(axis=2) @ weight
+        moving = beside if goes_evenly(result.scene) else np.fmin(moving, beside)
     return moving, taut
 
 

@@ -30,7 +30,8 @@ from ropewalk.record.note_kinds import (
 from ropewalk.record.parted import parting_rows
 from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.reach_note import reach_note
-from ropewalk.record.turnover import share_turned, steady_note, sudden_note
+from ropewalk.record.seen_along import along_note
+from ropewalk.record.turnover import own_errors, share_turned, steady_note, sudden_note
 from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
 
@@ -56,7 +57,7 @@ def summary(result: Result) -> dict[str, Any]:
     time, good = result.time, result.good_frames
     energy = {name: part[:good] for name, part in result.energy.items()}
     error, errors = result.energy_error[:good], result.energy_errors[:good]
-    share = share_turned(result)
+    share, own = share_turned(result), own_errors(result)
     seconds, broken, landings = result.facts.seconds, _broken(result), landings_of(result)
     whose = [APART] * bool(result.layout.pulleys) + [AS_THEY_WERE] * bool(broken)
     return {
@@ -79,9 +80,10 @@ def summary(result: Result) -> dict[str, Any]:
             {"about the energy": note}
             if (
                 note := lost_note(result)
-                or steady_note(result, _largest(errors), share)
-                or energy_note(result, errors.ravel(), share)
+                or steady_note(result, _largest(own), share)
+                or energy_note(result, own.ravel(), share)
                 or sudden_note(result, share)
+                or along_note(result, _largest(errors))
             )
             else {}
         ),

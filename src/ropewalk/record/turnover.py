@@ -4,9 +4,10 @@ The largest change of a form of energy grows without end with what has nothing t
 that has fallen off falls freely, a rope without anchors flies, one is carried a long way by its anchors. Such
 an energy would hide any error. So a piece's energy counts as it is seen by who goes along: with the
 centre of mass of a piece that nothing holds, with the anchors of one that they move. Of the two accounts, at
-rest and going along, the smaller one counts. What surfaces in touch take counts from when they take it,
-without what their motors give where that is less. Pieces in air, and those that a winch feeds, count as seen
-at rest.
+rest and going along, the smaller one counts; the latter where all anchors go on at one velocity. What
+surfaces in touch take counts from when they take it, without what their motors give where that is less.
+Pieces in air, and those that a winch feeds, count as seen at rest. Of anchors that accelerate see
+`seen_along`.
 """
 
 from __future__ import annotations
@@ -29,7 +30,8 @@ from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import energy_of_rounding, shorter_steps, weight_times_length
 from ropewalk.record.body_energies import turning_of
 from ropewalk.record.quantities import has_rope, rest_length_at_start
-from ropewalk.scene.motions import Fixed
+from ropewalk.record.seen_along import seen_along
+from ropewalk.scene.motions import Fixed, Velocity
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
@@ -69,6 +71,8 @@ def share_turned(result: Result) -> float:
     least, most = result.energy_errors[:good].T
     if not np.isfinite(least).any():
         return math.nan
+    if along := seen_along(result):
+        return _ratio(np.abs(along.error).max(), along.turned) if along.turned else math.nan
     forms = {name: part[:good] for name, part in result.energy.items() if name != "total"}
     works = {name: part[:good] for name, part in result.work.items()}
     if bodies := turning_of(result):
@@ -85,7 +89,8 @@ def share_turned(result: Result) -> float:
         }
         fall = np.ptp(forms["gravity"]), np.ptp(carried.loose)
         shares.append(_ratio(fall[1], max(float(fall[0]), turned)))
-        turned = max(min(turned, largest_change(own.values())), _LEAST * turned)
+        least_turned = math.inf if goes_evenly(result.scene) else turned
+        turned = max(min(least_turned, largest_change(own.values())), _LEAST * turned)
         before = np.concatenate((carried.loose[:1], carried.loose[:-1]))
         least = np.minimum(least - np.minimum(before, carried.loose), 0.0)
         most = np.maximum(most - np.maximum(before, carried.loose), 0.0)
@@ -94,6 +99,16 @@ def share_turned(result: Result) -> float:
     sound = np.isfinite(error) & (whole > 0.0)
     shares += [100.0 * float((error[sound] / whole[sound]).max())] if sound.any() else []
     return max(shares) if turned > 0.0 or touched[-1] > 0.0 else math.nan
+
+
+def own_errors(result: Result) -> Floats:
+    """Return the least and greatest energy error before a break as who goes along sees it [J], (frames, 2).
+
+    0 where nothing moves beside who goes along with accelerated anchors.
+    """
+    if along := seen_along(result):
+        return np.column_stack((along.error, along.error)) * bool(along.turned)
+    return result.energy_errors[: result.good_frames]
 
 
 def steady_note(result: Result, worst: float, share: float) -> str:
@@ -121,12 +136,14 @@ def sudden_note(result: Result, share: float) -> str:
     live = result.facts.provenance.get("live")
     if good < 2 or not implicit or not share > 0.0 or live:  # explicit energies swing with the step
         return ""
-    bounds = np.column_stack((result.energy_errors[:good], result.energy_error[:good]))
+    errors = own_errors(result)
+    error = errors[:, 0] if seen_along(result) else result.energy_error[:good]
+    bounds = np.column_stack((errors, error))
     bounds[1:] = np.nan_to_num(bounds[1:])
-    before = np.nan_to_num(result.energy_error[: good - 1])
+    before = np.nan_to_num(error[:-1])
     jumps = np.maximum(bounds[1:].max(axis=1), before) - np.minimum(bounds[1:].min(axis=1), before)
     frame = int(np.argmax(jumps)) + 1
-    jump, worst = float(jumps[frame - 1]), float(np.nanmax(np.abs(result.energy_errors[:good])))
+    jump, worst = float(jumps[frame - 1]), float(np.nanmax(np.abs(errors)))
     about = slice(max(frame - _ABOUT, 0), frame + _ABOUT)  # what begins to fall has little at first
     there = float((own_kinetic(result)[about] + result.energy["elastic"][:good][about]).max())
     rounding = _STILL * max(_largest(result.energy.values()), weight_times_length(result.scene))
@@ -158,6 +175,16 @@ def own_kinetic(result: Result) -> Floats:
 def stands(scene: Scene) -> bool:
     """Tell whether all anchors hold what they hold where it is, all the time."""
     return all(isinstance(one.motion, Fixed) and one.release_time is None for one in scene.anchors)
+
+
+def goes_evenly(scene: Scene) -> bool:
+    """Tell whether all anchors go at one velocity, all the time: seen from them all is as if they stood."""
+    motions = [one.motion for one in scene.anchors if one.release_time is None]
+    if len(motions) < len(scene.anchors) or any(section_of(law, scene) for law in NODE_LAWS):
+        return False
+    first = motions[0] if motions else Fixed()
+    even = isinstance(first, Velocity) and first.start == 0.0 and math.isinf(first.stop)
+    return even and all(motion == first for motion in motions)
 
 
 def nothing_is_loose(result: Result) -> bool:

@@ -44,6 +44,7 @@ KEPT_BY = (
     "record/rest.py",
     "record/result.py",
     "record/rope_contact_table.py",
+    "record/seen_along.py",
     "record/source.py",
     "record/tension_notes.py",
     "record/too_low.py",
