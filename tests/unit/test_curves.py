@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -70,6 +71,16 @@ def test_any_rising_table_makes_a_smooth_rising_curve_that_can_be_inverted(point
     np.testing.assert_allclose(same, slope, rtol=1e-6)
     below, above = (at_strain(pieces, pieces[1:, 0] + h) for h in (-1e-12, 1e-12))
     np.testing.assert_allclose(below[1], above[1], rtol=1e-6, atol=1e-6 * secant.max())
+
+
+@pytest.mark.parametrize("shape", [(), (6,), (2, 3), (3, 2), (1, 2, 3)])
+def test_curves_are_looked_up_in_arrays_of_any_shape(shape: tuple[int, ...]) -> None:
+    pieces = material([(0.05, 500.0), (0.1, 800.0), (0.4, 9000.0)]).curve.pieces  # type: ignore[union-attr]
+    at = np.linspace(-0.02, 0.45, math.prod(shape)).reshape(shape)
+    found = (*at_strain(pieces, at), *at_tension(pieces, 1e4 * at))
+    for i in np.ndindex(shape):
+        one = (*at_strain(pieces, at[i]), *at_tension(pieces, 1e4 * at[i]))
+        assert [many[i] for many in found] == list(one)
 
 
 def test_tension_is_the_derivative_of_the_energy() -> None:

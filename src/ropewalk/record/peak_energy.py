@@ -144,9 +144,8 @@ def _stretch(rope: Rope, pull: Floats) -> Floats:
     if getattr(rope.made_of, "relaxing_EA", None):
         return np.full_like(pull, math.nan)
     if curve := getattr(rope.made_of, "curve", None):
-        strain, _ = at_tension(curve.pieces, pull.ravel())
-        stored = at_strain(curve.pieces, strain)[2].reshape(pull.shape)
-        return rope.segment_length * stored
+        strain, _ = at_tension(curve.pieces, pull)
+        return rope.segment_length * at_strain(curve.pieces, strain)[2]
     return pull**2 / (2.0 * rope.segment_stiffness)
 
 

@@ -94,7 +94,7 @@ def at_strain(pieces: Floats, strain: Floats) -> tuple[Floats, Floats, Floats]:
     strain = np.asarray(strain, float)
     row = np.maximum(np.searchsorted(pieces[:, STRAIN], strain, side="right") - 1, 0)
     row = np.where(strain < 0.0, 0, row)
-    start, T, s, q, energy = pieces[row].T if strain.ndim else pieces[row]
+    start, T, s, q, energy = np.moveaxis(pieces[row], -1, 0)
     d = strain - start
     tension = T + d * (s + q * d)
     return tension, s + 2.0 * q * d, energy + d * (T + d * (0.5 * s + d * q / 3.0))
@@ -105,7 +105,7 @@ def at_tension(pieces: Floats, tension: Floats) -> tuple[Floats, Floats]:
     tension = np.asarray(tension, float)
     row = np.maximum(np.searchsorted(pieces[:, TENSION], tension, side="right") - 1, 0)
     row = np.where(tension < 0.0, 0, row)
-    start, T, s, q, _ = pieces[row].T if tension.ndim else pieces[row]
+    start, T, s, q, _ = np.moveaxis(pieces[row], -1, 0)
     rise = tension - T
     root = np.sqrt(np.maximum(s * s + 4.0 * q * rise, 0.0))
     return start + 2.0 * rise / (s + root), root
