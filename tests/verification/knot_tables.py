@@ -14,9 +14,22 @@ from typing import Literal
 from ropewalk.simulation import Broken
 from verification.loaded_knots import LOADED, braked, follow, loaded, ratio
 from verification.test_hitches import bend
-from verification.trefoil import Pulled, pulled
+from verification.trefoil import Pulled, pulled, shape
 
-TREFOILS = ((0.0, 0.002), (0.05, 0.004), (0.05, 0.002), (0.05, 0.001), (0.05, 0.0005), (0.1, 0.002))
+TREFOILS = (
+    (0.0, 0.002),
+    (0.05, 0.004),
+    (0.05, 0.002),
+    (0.05, 0.001),
+    (0.05, 0.0005),
+    (0.1, 0.002),
+    (0.15, 0.002),
+)
+#: friction, diameter and segments [m]
+SHAPES = (
+    *((0.0, 0.004, 0.002), (0.0, 0.002, 0.002), (0.0, 0.001, 0.001), (0.0, 0.0005, 0.001)),
+    *((0.05, 0.002, 0.002), (0.15, 0.002, 0.002)),
+)
 
 
 def head(*names: str) -> None:
@@ -89,7 +102,7 @@ def brakes(frictions: list[float], _: list[float]) -> None:
 
 
 def trefoil(_: list[float], __: list[float]) -> None:
-    """Print the pull of open trefoils against the law."""
+    """Print the pull of open trefoils against the law, and where their strands press."""
     head(
         "friction", "R / r", "T R²/EI, tightening", "loosening", "mean", "half", "law", "half / law"
     )
@@ -102,6 +115,14 @@ def trefoil(_: list[float], __: list[float]) -> None:
             *(f"{value:.3f}" for value in (found.tighter, found.looser, found.mean, found.half)),
             f"{law:.3f}",
             f"{found.half / law:.2f}" if law else "",
+        )
+    head("friction", "R / r", "force", "outer points: share", "their place", "others: rms place")
+    for friction, diameter, one in SHAPES:
+        braid = shape(friction, diameter, one)
+        row(
+            f"{friction:g}",
+            f"{braid.slender:.0f}",
+            *(f"{value:.3f}" for value in braid[1:]),
         )
 
 

@@ -5,9 +5,8 @@ and ends that go out by 2 pi dR take that from it: T = EI / (2 R^2). In the brai
 the moment EI / R passes from one strand to the other, over a length of sqrt(r R). That takes a force of
 contact N = sigma EI / R^2 sqrt(R / r) in all, against which the strands slide by 2 pi dR:
     T R^2 / EI = 1/2 +- sigma mu sqrt(R / r),   sigma = 0.492.
-sigma is the force in the least bent braid: the least of int |D''|^2 - D'(end) . x over curves D(z) with
-|D| >= 1 (half the distance of both strands over r, lengths along z over sqrt(r R)) that go round by three
-half turns and end straight.
+sigma is the force in the least bent braid (`verification.braid`), whose contacts are an interval in its
+middle and one point to each side.
 Source: Audoly, Clauvelin & Neukirch 2007, Phys. Rev. Lett. 99:164301; Jawed, Dieleman, Audoly & Reis 2015,
 Phys. Rev. Lett. 115:118302. Derived anew here.
 """
@@ -23,6 +22,7 @@ from ropewalk import knots
 from ropewalk.core.arrays import Floats
 from ropewalk.scene import Air, Anchor, Contact, Material, Points, Rope, RunSettings, Scene, Table
 from ropewalk.simulation import Simulation
+from ropewalk.simulation.rope_contacts import rope_contacts
 
 SIGMA = 0.492
 EI, RADIUS = 1e-3, 0.05  # [N m^2], [m]
@@ -52,7 +52,23 @@ class Pulled(NamedTuple):
         return SIGMA * friction * math.sqrt(self.slender)
 
 
-def trefoil(friction: float, diameter: float, one: float = 0.002, touch: bool = True) -> Scene:
+class Shape(NamedTuple):
+    """Where the contacts of a braid press, in the mean over the last two thirds of a pull."""
+
+    slender: float  # R / r [1]
+    force: float  # of all of them, over EI / R^2 sqrt(R / r)
+    share: float  # of it in both outer points [1]
+    outer: float  # how far they are from the middle, over sqrt(r R)
+    inner: float  # the root mean square of that of the others, over sqrt(r R)
+
+
+def trefoil(
+    friction: float,
+    diameter: float,
+    one: float = 0.002,
+    touch: bool = True,
+    compliance: float = 1e-4,
+) -> Scene:
     """One whose ends rest, are drawn out and come back; segments [m], no weight, no twist."""
     tied = knots.knot("overhand", RADIUS / 2.9)
     count = math.ceil((tied.length + 0.6) / one)
@@ -81,7 +97,7 @@ def trefoil(friction: float, diameter: float, one: float = 0.002, touch: bool = 
         gravity=(0, 0, 0),
         ropes=[rope],
         anchors=anchors,
-        contact=Contact(friction=friction, compliance=1e-4) if touch else None,
+        contact=Contact(friction=friction, compliance=compliance) if touch else None,
         air=Air(node_drag=0.1 * one),
         run=RunSettings(method="implicit-euler", time_step=STEP, frame_rate=240),
     )
@@ -112,3 +128,32 @@ def pulled(friction: float, diameter: float, one: float = 0.002, touch: bool = T
         means.append(float(last[:, 0].mean()))
         sizes.append(float(last[:, 1].mean()))
     return Pulled(means[0], means[1], float(np.mean(sizes)) / (0.5 * diameter))
+
+
+def shape(friction: float, diameter: float, one: float = 0.002) -> Shape:
+    """Pull on it, slowly. Contacts are hard: strands are 2 % of a radius apart where they do not touch."""
+    simulation = Simulation(trefoil(friction, diameter, one, compliance=1e-6))
+    simulation.step(REST)
+    found, sizes = [], []
+    frames = round(60.0 * WAY / SPEED)
+    for frame in range(frames):
+        simulation.step(1.0 / 60.0)
+        if frame < frames // 3:
+            continue
+        table = rope_contacts(simulation.arrays)
+        assert table is not None
+        rows = table[0][~np.isnan(table[0][:, 0])]
+        radius, push = loop_radius(simulation.arrays.x), rows[:, 4]
+        # both strands go through the braid the same way: a contact's place is the mean of its arc lengths
+        z = 0.5 * one * (rows[:, :2] + rows[:, 2:4]).sum(axis=1)
+        z -= (z * push).sum() / push.sum()
+        thin = radius / (0.5 * diameter)
+        parts = (np.abs(z) * math.sqrt(thin) / radius, push * radius**2 / EI / math.sqrt(thin))
+        found.append(np.stack(parts, axis=1))
+        sizes.append(thin)
+    z, push = np.vstack(found).T
+    far = z > 2.0
+    inner = math.sqrt((z[~far] ** 2 * push[~far]).sum() / push[~far].sum())
+    outer, force = float((z[far] * push[far]).sum() / push[far].sum()), float(push.sum())
+    share = float(push[far].sum()) / force
+    return Shape(float(np.mean(sizes)), force / len(found), share, outer, inner)
