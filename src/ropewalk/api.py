@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -10,6 +11,7 @@ from ropewalk.record.facts import INTERRUPTED
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import Progress, simulate_in_memory
 from ropewalk.scene import Scene, load
+from ropewalk.scene.faults import found_in
 from ropewalk.scene.presets import names, preset
 from ropewalk.simulation import Broken, Simulation
 
@@ -42,6 +44,11 @@ def as_scene(source: SceneLike) -> Scene:
     return load(source)
 
 
+def told_of(source: SceneLike | Model) -> AbstractContextManager[None]:
+    """Let what is found wrong with a scene when it is built tell the file, or the preset, that it is of."""
+    return found_in(str(source) if isinstance(source, str | Path) else None)
+
+
 def simulate(
     scene: SceneLike,
     *,
@@ -62,9 +69,14 @@ def simulate(
     Raises SceneError for a faulty scene, BrokenRun (a `Broken`) when the run breaks.
     """
     _check_choice(on_failure)
-    result = simulate_in_memory(
-        as_scene(scene), keep_going=keep_going, progress=progress, ledger=ledger, explain=explain
-    )
+    with told_of(scene):
+        result = simulate_in_memory(
+            as_scene(scene),
+            keep_going=keep_going,
+            progress=progress,
+            ledger=ledger,
+            explain=explain,
+        )
     return _ended(result, on_failure)
 
 
@@ -88,7 +100,8 @@ def equilibrium(scene: SceneLike) -> Result:
     """
     from ropewalk.record.rest import rest_result
 
-    return rest_result(as_scene(scene))
+    with told_of(scene):
+        return rest_result(as_scene(scene))
 
 
 def modes(
@@ -109,7 +122,8 @@ def modes(
     """
     from ropewalk import vibration
 
-    return vibration.modes(build(as_scene(scene)), about, count)
+    with told_of(scene):
+        return vibration.modes(build(as_scene(scene)), about, count)
 
 
 def check(source: SceneLike | Model, *, measure: bool = True) -> Check:
@@ -127,7 +141,10 @@ def check(source: SceneLike | Model, *, measure: bool = True) -> Check:
     """
     from ropewalk.analysis.check import check as check_model
 
-    return check_model(source if isinstance(source, Model) else as_scene(source), measure=measure)
+    with told_of(source):
+        return check_model(
+            source if isinstance(source, Model) else as_scene(source), measure=measure
+        )
 
 
 def run(
@@ -160,15 +177,16 @@ def run(
     from ropewalk.record.run import record_run
 
     _check_choice(on_failure)
-    result = record_run(
-        as_scene(scene),
-        Path(folder),
-        keep_going=keep_going,
-        overwrite=overwrite,
-        progress=progress,
-        ledger=ledger,
-        explain=explain,
-    )
+    with told_of(scene):
+        result = record_run(
+            as_scene(scene),
+            Path(folder),
+            keep_going=keep_going,
+            overwrite=overwrite,
+            progress=progress,
+            ledger=ledger,
+            explain=explain,
+        )
     return _ended(result, on_failure)
 
 

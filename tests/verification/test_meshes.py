@@ -367,7 +367,12 @@ def test_faults_of_distances_are_told() -> None:
 def test_faults_of_files_are_told(tmp_path: Path) -> None:
     (tmp_path / "bad.stl").write_text("solid")
     (tmp_path / "bad.npz").write_text("no zip")
+    (tmp_path / "bad.obj").write_text("v 0 0 0\nf 1 2 3\n")
     cases = {
+        'bad.obj" - cannot be read as OBJ: a triangle names a vertex that .* export it': (
+            Mesh,
+            "bad.obj",
+        ),
         "no such file": (Mesh, "absent.stl"),
         "must end in .stl, .obj, .ply": (Mesh, "rock.step"),
         "holds no triangles|cannot be read as STL": (Mesh, "bad.stl"),

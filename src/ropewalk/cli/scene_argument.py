@@ -76,14 +76,10 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
 @contextmanager
 def named(source: str) -> Iterator[None]:
     """Give the scene's name to what is found wrong with it only when it is built."""
-    from ropewalk.scene import SceneError
+    from ropewalk.scene.faults import found_in
 
-    try:
+    with found_in(source):
         yield
-    except SceneError as error:
-        if error.source is None:
-            raise SceneError(error.faults, source) from None
-        raise
 
 
 def _is_path(source: str) -> bool:

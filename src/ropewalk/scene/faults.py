@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 _LONGEST_VALUE = 60
@@ -77,6 +78,17 @@ class SceneError(ValueError):
 
     def __reduce__(self) -> tuple[type, tuple[list[Fault], str | None]]:
         return type(self), (self.faults, self.source)
+
+
+@contextmanager
+def found_in(source: str | None) -> Iterator[None]:
+    """Give a file's name to what is found wrong with its scene only when that is built."""
+    try:
+        yield
+    except SceneError as error:
+        if source is not None and error.source is None:
+            raise SceneError(error.faults, source) from None
+        raise
 
 
 class SceneFileError(SceneError):

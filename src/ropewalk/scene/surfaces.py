@@ -45,6 +45,12 @@ def read_mesh(folder: Path, file: str) -> Triangles:
     _refuse_absent(path, file)
     try:
         found = trimesh.load(path, file_type=suffix[1:], force="mesh", process=True)
+    except IndexError:
+        rule = (
+            f"cannot be read as {suffix[1:].upper()}: a triangle names a vertex that the file does not have; "
+            "export it again"
+        )
+        refuse([Fault("file", file, rule)])
     except Exception as error:  # a library's readers raise what they like
         refuse([Fault("file", file, f"cannot be read as {suffix[1:].upper()}: {error}")])
     faces = getattr(found, "faces", None)
