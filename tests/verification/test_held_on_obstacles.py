@@ -7,6 +7,7 @@ push, EA / segment times that, went into the anchor's reaction and all that is m
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,10 +30,12 @@ from ropewalk.scene import (
     RunSettings,
     Scene,
     SceneError,
+    Sphere,
     Spin,
     Straight,
     Velocity,
     Winch,
+    save,
 )
 from ropewalk.simulation import Simulation
 from ropewalk.statics import static_shape
@@ -281,3 +284,70 @@ def test_an_anchor_that_moves_through_a_floor_gives_nothing_to_it(method: str) -
         energies = [energy_now(one.system, one.arrays) for one in (simulation, alone)]
         assert energies[0] == pytest.approx(energies[1], rel=1e-9)
     assert math.isclose(simulation.arrays.x[2, 0], -0.1 * simulation.time, rel_tol=1e-9)
+
+
+def let_go(
+    body: Any, *, motion: Any = None, time: float = 0.1, height: float = 0.1, rise: float = 0.0
+) -> Scene:
+    """A rope along x whose start an anchor holds at (-0.5, 0, height) [m] and lets go."""
+    rope = Rope(
+        segments=10,
+        length=1.0,
+        diameter=D,
+        made_of=Material(EA=1e4, mass_per_length=0.1, axial_damping=1.0),
+        shape=Straight(start=(-0.5, 0, height), end=(0.5, 0, height + rise)),
+    )
+    moved = {"motion": motion} if motion else {}
+    anchors = [Anchor(node=0, release_time=time, **moved), Anchor(node=-1)]
+    run = RunSettings(duration=0.3, frame_rate=60.0, time_step=0.001, method="esdirk3")
+    return Scene(ropes=[rope], anchors=anchors, obstacles=[body], run=run)
+
+
+def test_a_release_inside_a_body_is_refused() -> None:
+    """It was thrown out at 34 m/s, with 48.9 J from nothing."""
+    ball = Sphere(name="ball", center=(-0.55, 0, 0.1), radius=0.08)
+    with pytest.raises(
+        SceneError, match=r"anchor\[0\].release_time: 0.1 - lets go 35 mm inside"
+    ) as said:
+        Simulation(let_go(ball))
+    assert "obstacle 'ball'" in str(said.value)
+    assert "move the anchor or the obstacle" in str(said.value)
+    assert rw.simulate(let_go(ball, time=0.3)).status == "finished"  # as the run ends
+
+
+def test_where_anchor_and_body_are_at_the_release_decides() -> None:
+    ball = Sphere(name="ball", center=(-0.55, 0, 0.1), radius=0.08)
+    out = Velocity(velocity=(0.0, 0.0, 1.5))
+    scene = let_go(ball, motion=out)
+    assert rw.simulate(scene).status == "finished"  # 0.15 m higher by then
+    with pytest.raises(SceneError, match="lets go"):
+        Simulation(let_go(ball, motion=out, time=0.01))
+    coming = ball.model_copy(update={"center": (-0.55, 0, -0.05), "motion": out})
+    with pytest.raises(SceneError, match="lets go 35 mm inside"):
+        Simulation(let_go(coming))
+    assert rw.simulate(let_go(coming, time=0.01)).status == "finished"
+
+
+def test_a_release_half_a_diameter_inside_is_told_of() -> None:
+    """A stake at the height of a floor: what the contact gives it is no more than is told."""
+    scene = let_go(FLOOR, height=0.0, rise=0.3)
+    (said,) = (one for one in check(scene, measure=False).warnings if "lets go" in one)
+    assert said.startswith("anchor[0].release_time: 0.1 s - it lets go 5 mm inside 'floor'")
+    assert "hold it 5 mm farther out" in said
+    most = float(said.split("up to ")[1].split(" ")[0])
+    assert 1.0 < np.abs(rw.simulate(scene).velocities[:, 0, 2]).max() < most
+    above = check(let_go(FLOOR, height=0.5 * D, rise=0.3), measure=False)
+    assert not [one for one in above.warnings if "lets go" in one]
+
+
+@pytest.mark.parametrize("do", [rw.simulate, rw.check, rw.equilibrium, rw.modes])
+def test_what_is_wrong_with_a_file_names_it(do: Any, tmp_path: Path) -> None:
+    """That a rope starts, or is let go, inside an obstacle is found when the scene is built."""
+    file = tmp_path / "ball.toml"
+    save(let_go(Sphere(name="ball", center=(-0.55, 0, 0.1), radius=0.08)), file)
+    with pytest.raises(SceneError) as said:
+        do(str(file))
+    assert str(said.value).startswith(f"{file}: anchor[0].release_time: 0.1 - ")
+    with pytest.raises(SceneError, match=r"ball.toml: anchor\[0\]"):
+        rw.run(file, tmp_path / "run")
+    assert not (tmp_path / "run").exists()

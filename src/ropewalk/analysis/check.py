@@ -20,6 +20,7 @@ from ropewalk.analysis.near_starts import near_start_warnings
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.rebound_notes import rebound_warnings
+from ropewalk.analysis.release_notes import release_warnings
 from ropewalk.analysis.rest_notes import (
     limiter_warnings,
     may_say_nothing,
@@ -36,6 +37,7 @@ from ropewalk.analysis.strains import (
     pressed_at_start,
     strain_warnings,
 )
+from ropewalk.analysis.swing_notes import swing_warnings
 from ropewalk.analysis.unit_slips import unit_slips
 from ropewalk.display import cells
 from ropewalk.engine.start import started_with_rest
@@ -284,6 +286,7 @@ def _warnings(
     warnings += facet_warnings(model, statics) + near_start_warnings(model)
     warnings += rebound_warnings(model, statics)
     warnings += slide_warnings(model) + knot_warnings(model)
+    warnings += swing_warnings(model) + release_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
 
 

@@ -11,7 +11,9 @@ from ropewalk.lowering.layout import Layout, Span, make_layout
 from ropewalk.lowering.obstacle_checks import refuse_fast, refuse_obstacles
 from ropewalk.lowering.pieces import Pieces
 from ropewalk.lowering.plan import Plan, make_plan
+from ropewalk.lowering.release_checks import refuse_releases
 from ropewalk.lowering.segment_checks import refuse_segments
+from ropewalk.lowering.swings import refuse_unseen
 from ropewalk.lowering.system import make_tables
 from ropewalk.scene import Scene
 
@@ -55,7 +57,11 @@ def build(
     refuse_segments(scene)
     until = math.inf if endless else scene.run.duration
     plan = make_plan(scene, system, state, until)
-    refuse_fast(scene, system, plan.dt if plan.longest is None else plan.longest, until)
+    step = plan.dt if plan.longest is None else plan.longest
+    refuse_fast(scene, system, step, until)
+    refuse_unseen(scene, step, until)
+    if drawn:
+        refuse_releases(scene, system, state, until)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)
 

@@ -12,7 +12,8 @@ from ropewalk.laws.winch import WINCH_SHARE
 from ropewalk.lowering.choice import Candidate, bounds_stretch, choose, reason
 from ropewalk.lowering.obstacle_checks import step_past_nodes
 from ropewalk.lowering.steps import BEYOND, predicted_step, uncovered
-from ropewalk.methods.controller import LONGEST_STEP
+from ropewalk.lowering.swings import LONGEST, swinging_step
+from ropewalk.methods.controller import LONGEST_STEP, SHORTEST_STEP
 from ropewalk.methods.registry import METHODS
 from ropewalk.scene import RunSettings, Scene, SceneError
 from ropewalk.scene.faults import Fault
@@ -73,12 +74,11 @@ def make_plan(scene: Scene, system: System, state: State, until: float) -> Plan:
     found: list[Candidate] = []
     if method == "auto":
         given = math.inf if run.time_step == "auto" else run.time_step
-        most = min(given, _winch_step(system), step_past_nodes(scene, system, until))
+        most = min(given, _moving_step(scene, system, until))
         found = choose(scene, system, state, most, until)
         method, step = found[0].method, found[0].step
     elif run.time_step == "auto":
-        most = min(_winch_step(system), step_past_nodes(scene, system, until))
-        step = min(auto_step(run, system, state, until), most)
+        step = min(auto_step(run, system, state, until), _moving_step(scene, system, until))
     else:
         step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
@@ -114,9 +114,16 @@ def _adaptive_plan(scene: Scene, system: System, until: float) -> Plan:
     """Return the plan of a run that chooses its own steps, one "step" a frame."""
     run = scene.run
     frames = max(1, round(run.duration / run.frame_interval))
-    automatic = min(LONGEST_STEP, step_past_nodes(scene, system, until))
+    swing = max(swinging_step(scene, until, LONGEST), SHORTEST_STEP)
+    automatic = min(LONGEST_STEP, step_past_nodes(scene, system, until), swing)
     longest = automatic if run.time_step == "auto" else run.time_step
     return Plan(run.method, run.frame_interval, 1, frames, run.tolerance, longest)
+
+
+def _moving_step(scene: Scene, system: System, until: float) -> float:
+    """The longest step for what moves by itself before a time [s]: winches, anchors and obstacles [s]."""
+    past = step_past_nodes(scene, system, until)
+    return min(_winch_step(system), past, swinging_step(scene, until))
 
 
 def _winch_step(system: System) -> float:

@@ -14,6 +14,7 @@ import numpy as np
 
 from ropewalk.hands.drum import EMPTY, PARTED
 from ropewalk.lowering.long_segments import long_about
+from ropewalk.lowering.swings import too_few
 from ropewalk.methods.recording import ENERGIES
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import (
@@ -74,6 +75,7 @@ KINDS = {
     "end weight": "have an anchor that bears half a segment's weight more than the largest tension",
     "beyond curve": "are stretched to where the curve or the EA of the rope is not its own any more",
     "long segments": "have segments long about an obstacle (see check): ropes may pass between nodes",
+    "few steps a swing": "shake an anchor or an obstacle in too few steps a swing (see check)",
     "inside obstacle": "have a node whose middle was inside an obstacle, where no rope can be",
     "push": "have segments that push, which a rope does not",
     "slide ran off": "lost a slide at the end of a rope that had parted",
@@ -146,7 +148,8 @@ def notes_at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Note]:
 def kinds(result: Result) -> tuple[str, ...]:
     """Return the kinds of all that a sound run's table warns of, but for what takes long to look for.
 
-    And of what `check` warns of before a run that no table has: segments that are long about an obstacle.
+    And of what `check` warns of before a run that no table has: segments that are long about an obstacle, and
+    swings in few steps.
     That is what is said of contacts that brake early, of wraps and of slides: `reach_note`, `coarse_note` and
     `moving_rows` take up to half as long as the run itself, or more. Of forces on several obstacles few
     frames are looked at, unless an end lands: `pressed_kind`.
@@ -187,6 +190,8 @@ def _kinds(result: Result) -> Iterator[str]:
             yield "energy not kept"
         if limiter_note(result):
             yield "limiter gives energy"
+        if _few_steps(result):
+            yield "few steps a swing"
         if deep_note(result):
             yield "inside obstacle"
 
@@ -203,6 +208,13 @@ def _long_segments(result: Result) -> bool:
     drawn = np.diff(result.read("positions", 0, 1)[0], axis=0)
     there = drawn[has_rope(layout, rest, lengths)].T
     return any(long_about(scene, body, there) is not None for body in scene.obstacles)
+
+
+def _few_steps(result: Result) -> bool:
+    """Tell whether something swings in too few steps."""
+    plan = result.plan
+    step = plan.dt if plan.longest is None else plan.longest
+    return any(too_few(result.scene, plan.method, step, plan.duration))
 
 
 def less_rounding(result: Result, found: dict[str, Extreme]) -> dict[str, Extreme]:
