@@ -223,7 +223,7 @@ def notes_of_tables() -> set[str]:
     for node in (one for text in texts for one in ast.walk(ast.parse(text))):
         if isinstance(node, ast.Dict):
             keys = [key.value for key in node.keys if isinstance(key, ast.Constant)]
-            if "greatest speed" in keys:  # what each extreme is called
+            if "highest point" in keys:  # what each extreme is called
                 found = zip(keys, (ast.unparse(value) for value in node.values), strict=True)
                 titles |= {key: text.strip("f'").partition(" [")[0] for key, text in found}
             elif "greatest stretch" in keys:  # those of which there is something to be said

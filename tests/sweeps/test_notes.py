@@ -25,6 +25,7 @@ ROWS = {
     "largest tension": ("peak may be wrong", "peak may be too low", "end weight"),
     "least tension": ("push",),
     "largest stretch": ("beyond curve",),
+    "largest speed": ("speed may be too low",),
     "largest anchor force": ("mean anchor force", "landing not shown"),
     "largest clamp moment": ("clamp moment too low",),
     "largest force on an obstacle": ("landing not shown", "force between frames"),
@@ -94,6 +95,7 @@ def _of_tension(text: str) -> str:
     words = {"too low: it": "landing not shown", "the mean over": "mean anchor force"}
     words |= {"between two frames": "force between frames"}
     words |= {"a jerk": "peak may be wrong", " lost ": "peak may be too low"}
+    words |= {"a peak of a step": "peak may be wrong", "keeps waves ringing": "peak may be wrong"}
     return next((kind for part, kind in words.items() if part in text), "end weight")
 
 

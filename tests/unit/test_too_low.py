@@ -16,11 +16,13 @@ from ropewalk.record.peak_energy import _told
 from ropewalk.record.too_low import anchor_too_low
 from ropewalk.scene import (
     Anchor,
+    Hanging,
     Material,
     Plane,
     Rope,
     RunSettings,
     Scene,
+    Slack,
     Straight,
     Velocity,
 )
@@ -293,3 +295,51 @@ def test_energies_told_of_single_ropes_are_those_of_the_ledger(
     for form, told in zip(("kinetic", "elastic"), np.sum(parts, axis=0), strict=True):
         assert float(told.max()) > 0.1
         assert told == pytest.approx(result.energy[form], rel=1e-9, abs=1e-9)
+
+
+def two_ropes(step: float) -> rw.Result:
+    """A rope that holds half a ton at rest, and a weak one that a slack load of 5 kg jerks."""
+    stuff = {"EA": 2e4, "mass_per_length": 0.06, "axial_damping": 20.0}
+    strong = Rope(
+        name="strong",
+        segments=2,
+        length=1.0,
+        made_of=Material(**stuff | {"EA": 1e6}, breaking_load=1e5),
+        shape=Hanging(start=(3, 0, 0)),
+        loads=[{"node": -1, "mass": 500.0}],
+    )
+    weak = Rope(
+        name="weak",
+        segments=10,
+        length=2.0,
+        made_of=Material(**stuff, breaking_load=2e3),
+        shape=Slack(end=(0.3, 0, 1.0)),
+        loads=[{"node": -1, "mass": 5.0}],
+    )
+    anchors = [Anchor(rope=name, node=0) for name in ("strong", "weak")]
+    run = RunSettings(duration=1.5, method="implicit-euler", time_step=step)
+    return rw.simulate(Scene(ropes=[strong, weak], anchors=anchors, run=run))
+
+
+def test_a_safety_factor_of_another_rope_has_its_own_note() -> None:
+    """The largest tension is the strong rope's, and right; nothing told that the weak one's was not."""
+    result, fine = two_ropes(1 / 60), two_ropes(1 / 3840)
+    use, factor = "about the largest utilisation of the breaking load", "least safety factor [1]"
+    assert result.table["largest tension at"].startswith("segment 0 of rope 'strong'")
+    assert "rope 'weak'" in result.table[f"{use.removeprefix('about the ')} at"]
+    assert result.table[factor] > 1.1 * fine.table[factor]
+    assert result.table[use].startswith("of a tension of ")
+    assert "too low" in result.table[use]
+    assert "peak may be too low" in kinds(result) or "peak may be wrong" in kinds(result)
+
+
+def test_a_safety_factor_of_the_largest_tension_says_to_see_there() -> None:
+    """Its row had nothing beside it. The twin: a run whose peak is right."""
+    use, pull = "about the largest utilisation of the breaking load", "about the largest tension"
+    scene = two_ropes(1 / 60).scene
+    alone = scene.replace(ropes=scene.ropes[1:], anchors=scene.anchors[1:])
+    table = rw.simulate(alone).table
+    assert "too low" in table[pull]
+    assert table[use].startswith("see the largest tension")
+    fine = rw.simulate(alone.replace(**{"run.method": "esdirk3", "run.time_step": 1 / 15360}))
+    assert use not in fine.table

@@ -131,14 +131,17 @@ def guess_doubt(scene: Scene, margin: Margin, then: str = COMPUTE) -> str:
     return "; ".join(text for text in told if text)
 
 
-def margin_rows(margin: Margin, place: str, scene: Scene) -> dict[str, Any]:
+def margin_rows(margin: Margin, place: str, scene: Scene, note: str = "") -> dict[str, Any]:
     """Return the rows of a table: the largest utilisation [1] with its place, and the safety factor [1].
+
+    With `note`, what there is to say of the tension that it is of.
 
     With what guesses and knots make of it, in words and, of a guessed breaking load, as numbers of the rope
     that comes nearest with the least of it, and of the one that does with its knot besides.
     """
     made_of = scene.rope_named(margin.guessed).made_of
     worst, doubt = worst_of(made_of, margin.at_most), doubt_words(scene, margin)
+    doubt = "; ".join(text for text in (note, doubt) if text)
     about: dict[str, Any] = (
         {"about the largest utilisation of the breaking load": doubt} if doubt else {}
     )

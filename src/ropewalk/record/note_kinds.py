@@ -39,8 +39,9 @@ from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.pressed_rows import pressed_kind
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.record.seen_along import accelerated_alike
-from ropewalk.record.tension_notes import anchor_bears, curve_note, push_note
-from ropewalk.record.too_low import anchor_too_low, tension_too_low
+from ropewalk.record.speed_note import speed_note
+from ropewalk.record.tension_notes import anchor_bears, anchor_note, curve_note, push_note
+from ropewalk.record.too_low import anchor_too_low, margin_too_low, tension_too_low
 from ropewalk.record.turnover import (
     SUDDEN,
     nothing_is_loose,
@@ -60,8 +61,10 @@ if TYPE_CHECKING:
 KINDS = {
     "parted": "parted: their largest tension is where they parted",
     "above breaking load": "got above the breaking load, where a rope would have parted",
-    "peak may be wrong": "may have a peak that is wrong by a fifth and more: a jerk in too long steps",
+    "peak may be wrong": "may have a peak that is wrong by a fifth and more: a jerk or ringing waves in too "
+    "long steps",
     "peak may be too low": "may have a peak that is too low: the steps lost energy until then",
+    "speed may be too low": "may have a largest speed that is too low: a whip or a wave of a step or two",
     "landing not shown": "have an end that lands and gives an obstacle or an anchor more than is shown",
     "force between frames": "have a force on an obstacle that comes within a frame: it may be far more",
     "hard stop": "have a peak of what nothing that gives has stopped: momentum over a step",
@@ -106,17 +109,24 @@ def notes_of_extremes(
 ) -> dict[str, Note]:
     """Return what there is to say of extremes, by their names, and HARD; `landings` are its ropes' ends'."""
     most, least = found["greatest tension"], found["least tension"]
-    hard = hard_note(result, found)
+    force, hard = found["greatest anchor force"], hard_note(result, found)
     notes = {
         "greatest tension": _both(
             tension_too_low(result, most), ("end weight", anchor_bears(result, most))
         ),
         "least tension": ("push", push_note(result, least, most.value)),
         "greatest stretch": ("beyond curve", curve_note(result, found["greatest stretch"])),
+        "greatest speed": ("speed may be too low", speed_note(result, found["greatest speed"])),
         "greatest anchor force": ("", "")
         if hard
-        else anchor_too_low(result, found["greatest anchor force"], most, landings),
+        else _both(
+            anchor_too_low(result, force, most, landings),
+            ("mean anchor force", anchor_note(result, force, most)),
+        ),
         "greatest clamp moment": _of_moment(result, found),
+        UTILISATION: margin_too_low(result, found[UTILISATION], most)
+        if UTILISATION in found
+        else ("", ""),
         HARD: ("hard stop", hard),
     }
     return {name: note for name, note in notes.items() if note[1]}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
 from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
 from ropewalk.record.facts import AT_REST, BROKE
-from ropewalk.record.landings import Landing, landings_of
+from ropewalk.record.landings import landings_of
 from ropewalk.record.limiter_at_rest import rest_limiter_note
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import margin_rows
@@ -59,6 +58,7 @@ def summary(result: Result) -> dict[str, Any]:
     error, errors = result.energy_error[:good], result.energy_errors[:good]
     share, own = share_turned(result), own_errors(result)
     seconds, broken, landings = result.facts.seconds, _broken(result), landings_of(result)
+    notes = notes_of_extremes(result, found, landings)
     whose = [APART] * bool(result.layout.pulleys) + [AS_THEY_WERE] * bool(broken)
     return {
         "status": result.status,
@@ -68,8 +68,8 @@ def summary(result: Result) -> dict[str, Any]:
         **broken,
         **({"about these numbers": BURST} if result.status == BROKE else {}),
         **_steps(result),
-        **_told(result, found, landings),
-        **_margins(result, found),
+        **_told(result, found, notes),
+        **_margins(result, found, notes),
         **moving_rows(result),
         **pressed_rows(result, found["greatest tension"], landings),
         **(parting_rows(result.partings) if result.scene.parts else {}),
@@ -147,7 +147,7 @@ def _broken(result: Result) -> dict[str, Any]:
     return {"broken ropes": shortly(result.ends)} if result.ends else {}
 
 
-def _margins(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
+def _margins(result: Result, found: dict[str, Extreme], notes: dict[str, Note]) -> dict[str, Any]:
     """Return how near to breaking it comes; nothing where no breaking load is known."""
     extreme = found.get(UTILISATION)
     if extreme is None:
@@ -155,7 +155,8 @@ def _margins(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
     place = place_of(result, UTILISATION, extreme)
     place = place.partition(",")[0] if result.status == AT_REST else place
     near = margin(result, found)
-    return margin_rows(near, place, result.scene) if near is not None else {}
+    note = notes.get(UTILISATION, ("", ""))[1]
+    return margin_rows(near, place, result.scene, note) if near is not None else {}
 
 
 def _steps(result: Result) -> dict[str, Any]:
@@ -173,10 +174,9 @@ def _steps(result: Result) -> dict[str, Any]:
     }
 
 
-def _told(result: Result, found: dict[str, Extreme], landings: Sequence[Landing]) -> dict[str, Any]:
+def _told(result: Result, found: dict[str, Extreme], notes: dict[str, Note]) -> dict[str, Any]:
     """Return the extremes with their places and times, those of anchors and clamps where there are any."""
     told: dict[str, Any] = {}
-    notes = notes_of_extremes(result, found, landings)
     for name, title in _titles(result).items():
         anchors = name in ("greatest anchor force", "greatest clamp moment")
         if not (anchors and math.isnan(found[name].value)):
@@ -235,7 +235,7 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         table["about the stretch limiter"] = note
     return (
         table
-        | _margins(result, found)
+        | _margins(result, found, notes)
         | {
             "potential energy [J]": float(result.energy["total"][0]),
             "potential energy at": ZERO if any(result.scene.gravity) else "",

@@ -25,6 +25,9 @@ RESOLVED = 10.0  # [1] steps in which a wave goes through one segment: fewer blu
 BLURRED = (
     10.0  # [1] of that time: of a jerk so long a step leaves but a part, 24 times less of a landing
 )
+#: [1] of a peak: with less beside it, in frames that are steps, or hold some, it lasts a step or two.
+SHORT, SHORT_WITHIN = 0.8, 0.6
+FASTER = 2.0  # times that of a wave through a segment: steps that follow nothing of it
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 _LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
 
@@ -49,19 +52,53 @@ def tension_note(result: Result, peak: Extreme) -> str:
         return ""
     if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
-    before = float(result.read("tension", frame - 1, frame)[0, peak.place])
+    before, _ = _beside(result, peak, frame)
     if not before < JERK * peak.value:
         return ""
     share = percent(100.0 * max(before, 0.0) / peak.value)
     times = f"a wave takes {1e3 * through:.3g} ms through a segment, a step {1e3 * plan.dt:.3g} ms"
     if plan.dt > BLURRED * through:
         return (
-            f"a jerk, from {share} of it one frame before: {times}, so that the peak may be far too low; "
-            f"compare it with runs of shorter steps, down to time_step = {through:.3g} s"
+            f"a jerk, from {share} of it one frame before: {times}, so that the peak may be far too low, "
+            f"or too high; compare it with runs of shorter steps, down to time_step = {through:.3g} s"
         )
     return (
         f"a jerk, from {share} of it one frame before: {times}, so that the peak may be wrong by a fifth and "
         f"more; compare it with a run of time_step = {0.5 * plan.dt:.3g} s"
+    )
+
+
+def _beside(result: Result, peak: Extreme, frame: int) -> tuple[float, float]:
+    """Return the tensions of a peak's segment [N] in the frame before it and in the first one after it."""
+    last = min(frame + (peak.until >= result.time[frame]), result.frames - 1)
+    there = result.read("tension", frame - 1, last + 1)[:, peak.place]
+    return float(there[0]), float(there[-1])
+
+
+def short_note(result: Result, peak: Extreme) -> str:
+    """Say that the largest tension lasts a step or two, and may be too low; else "".
+
+    Of steps of one length that follow no wave through a segment.
+    """
+    plan = result.plan
+    if result.status != FINISHED or plan.method not in METHODS or plan.tolerance is not None:
+        return ""
+    frame = int(np.searchsorted(result.time, peak.until))
+    if not peak.value > 0.0 or not 0 < frame < result.frames:
+        return ""
+    rope = _rope_at(result, peak)
+    if rope.rigid or not plan.dt > FASTER * wave_time(rope):
+        return ""
+    if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
+        return ""
+    shares = [there / peak.value for there in _beside(result, peak, frame)]
+    if not min(shares) < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN):
+        return ""
+    before, after = (percent(100.0 * max(share, 0.0)) for share in shares)
+    return (
+        f"a peak of a step or two of {1e3 * plan.dt:.3g} ms, from {before} of it one frame before to {after} "
+        "in the one after: steps do not resolve it, and it may be too low by a tenth and more; compare it "
+        f"with a run of time_step = {0.25 * plan.dt:.3g} s"
     )
 
 

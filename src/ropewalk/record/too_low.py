@@ -5,6 +5,7 @@ All are of the same steps: what these do not resolve is missing in each.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -13,9 +14,12 @@ import numpy as np
 from ropewalk.record.balances import SLACK
 from ropewalk.record.body_loads import of_nodes
 from ropewalk.record.extremes import Extreme
+from ropewalk.record.joined_ropes import joined_ropes
 from ropewalk.record.landings import Landing
+from ropewalk.record.margins import breaking_load
 from ropewalk.record.peak_energy import peak_energy_note
-from ropewalk.record.tension_notes import JERK, anchor_note, tension_note
+from ropewalk.record.ringing_note import ringing_note
+from ropewalk.record.tension_notes import JERK, short_note, tension_note
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
@@ -31,32 +35,54 @@ _AS_THERE = {
     "peak may be too low": _SAME + "the energy that was lost until then may be missing here, too",
 }
 
-
+_WHOSE = "see the largest tension, whose it is: that "
+#: What is said of a utilisation that is the largest tension's.
+_OF_PEAK = {
+    "peak may be wrong": _WHOSE + "may be wrong, and the safety factor with it",
+    "peak may be too low": _WHOSE + "may be too low, and the safety factor too high",
+}
 #: Kind of a note for a sweep's counts, and its text, "" where there is nothing to say.
 Told = tuple[str, str]
 
 
 def tension_too_low(result: Result, peak: Extreme) -> Told:
     """Return why the largest tension may be too low."""
-    if text := tension_note(result, peak):
+    if text := ringing_note(result, peak) or tension_note(result, peak):
         return "peak may be wrong", text
-    return "peak may be too low", peak_energy_note(result, peak)
+    short, lost = short_note(result, peak), peak_energy_note(result, peak)
+    kind = "peak may be too low" if lost or not short else "peak may be wrong"
+    return kind, "; ".join(text for text in (short, lost) if text)
+
+
+def margin_too_low(result: Result, use: Extreme, peak: Extreme) -> Told:
+    """Return why the largest utilisation may be too low, and the safety factor too high.
+
+    `use` is the largest tension over breaking load [1], `peak` the largest tension of all ropes [N]: it is
+    the force of another rope, or of another time, where breaking loads differ.
+    """
+    load = breaking_load(result.scene.rope_named(result.layout.rope_of(use.place)[0]))
+    if load is None or math.isnan(use.value):
+        return "", ""
+    own = use._replace(value=use.value * load)
+    same = peak.place == use.place and peak.until == use.until
+    kind, text = tension_too_low(result, peak if same else own)
+    if not text:
+        return "", ""
+    return kind, _OF_PEAK[kind] if same else f"of a tension of {own.value:.6g} N: {text}"
 
 
 def anchor_too_low(
     result: Result, force: Extreme, tension: Extreme, landings: Sequence[Landing]
 ) -> Told:
-    """Return why the largest force of an anchor may be too low, or is a mean."""
+    """Return why the largest force of an anchor may be too low."""
     landing = max(landings, key=lambda one: one.held, default=None)
     if landing is not None and force.value < _LOWER * landing.held:
         return "landing not shown", landing.words(landing.held, _steps(result))
-    if text := anchor_note(result, force, tension):
-        return "mean anchor force", text
     layout = result.layout
     if not (force.value > 0.0 and tension.value > 0.0):
         return "", ""
-    node = layout.anchor_nodes[force.place]
-    if layout.rope_of(node)[0] != layout.rope_of(tension.place)[0]:
+    names = [layout.rope_of(one)[0] for one in (layout.anchor_nodes[force.place], tension.place)]
+    if names[0] not in joined_ropes(result.scene, layout, names[1:]):
         return "", ""
     return _as_there(result, int(np.searchsorted(result.time, force.until)), tension)
 

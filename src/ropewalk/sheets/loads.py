@@ -14,9 +14,9 @@ from ropewalk.record.limiter_at_rest import rests_beyond
 from ropewalk.record.margins import Margin, doubt_words, margin_bounds
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
-from ropewalk.record.note_kinds import BETWEEN
+from ropewalk.record.note_kinds import HARD, notes_of_extremes
 from ropewalk.record.tension_notes import anchor_bears
-from ropewalk.record.too_low import anchor_too_low, tension_too_low
+from ropewalk.record.too_low import margin_too_low, tension_too_low
 from ropewalk.scene.guess import COMPUTE
 from ropewalk.sheets.content import Item, Section, Table, Text
 from ropewalk.sheets.ropes import NO_DRAG
@@ -37,6 +37,13 @@ _TITLES = {
     "lowest point": ("lowest point", "m"),
     "greatest anchor force": ("largest force on an anchor", "N"),
     "greatest clamp moment": ("largest moment on a clamp", "N m"),
+}
+#: What a run's notes are of.
+_PEAKS = {
+    "greatest tension": "tension",
+    "greatest anchor force": "force on an anchor",
+    "greatest clamp moment": "moment on a clamp",
+    UTILISATION: "utilisation",
 }
 _NAMED = 3  # partings that are told one by one
 _ROUNDING = 1e-9  # [1] of a force: components below are nothing
@@ -101,6 +108,8 @@ def _of_the_run(run: Result) -> list[Item]:
         return items + _of_energy(run)
     if note := tension_too_low(run, most)[1]:
         items.append(Text(f"The largest tension in the run: {note}.", warning=True))
+    if UTILISATION in found and (note := margin_too_low(run, found[UTILISATION], most)[1]):
+        items.append(Text(f"The largest utilisation in the run: {note}.", warning=True))
     if note := anchor_bears(run, most):
         said = f"The largest tension in the run is that of a segment: {note}."
         items.append(Text(said, warning=True))
@@ -226,19 +235,14 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
 
 
 def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
-    """Return what is to be said of the largest tension, anchor force and clamp moment of a run."""
-    most, force = found["greatest tension"], found["greatest anchor force"]
-    if hard := hard_note(result, found):
-        return [Text(f"Hard stops: {hard}.", warning=True)]
-    notes = {
-        "tension": BETWEEN.join(
-            filter(None, (tension_too_low(result, most)[1], anchor_bears(result, most)))
-        ),
-        "force on an anchor": anchor_too_low(result, force, most, landings_of(result))[1],
-        "moment on a clamp": moment_note(result, found["greatest clamp moment"]),
-    }
+    """Return what is to be said of the largest forces, and of how near to breaking they come, of a run."""
+    notes = notes_of_extremes(result, found, landings_of(result))
+    if HARD in notes:
+        return [Text(f"Hard stops: {notes[HARD][1]}.", warning=True)]
     return [
-        Text(f"The largest {what}: {note}.", warning=True) for what, note in notes.items() if note
+        Text(f"The largest {what}: {notes[name][1]}.", warning=True)
+        for name, what in _PEAKS.items()
+        if name in notes
     ]
 
 
