@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -13,11 +14,13 @@ from ropewalk.methods.part_lengths import (
     MANY,
     MOST_HALVINGS,
     begin_parts,
+    is_fast,
     keep_parts,
 )
 from ropewalk.methods.stage_report import SOLVES
 from ropewalk.record import checkpoint
 from ropewalk.record.checkpoint import Checkpoint
+from ropewalk.scene import Contact, Material, Rope, RunSettings, Scene, Straight
 from ropewalk.simulation import Simulation, Snapshot
 from verification.heaps import STEP, fed
 
@@ -116,3 +119,54 @@ def test_that_takes_fewer_solutions(heaped: tuple[Simulation, Snapshot]) -> None
         return float(report[SOLVES] - before)
 
     assert solutions(forgets=False) < 0.8 * solutions(forgets=True)
+
+
+@pytest.mark.slow
+def test_so_it_does_where_a_rope_with_bending_is_fed() -> None:
+    """A stiff one, with few contacts, from its start on."""
+
+    def solutions(forgets: bool) -> float:
+        simulation = Simulation(fed(100, 1e6, 1e-6, 0.4))
+        for _ in range(80):
+            if forgets:
+                simulation.arrays.past[LENGTH:] = 0.0
+            simulation.step(STEP)
+        return float(simulation._engine._scratch.stage.report[SOLVES])
+
+    assert solutions(forgets=False) < 0.6 * solutions(forgets=True)
+
+
+@pytest.mark.parametrize(("speed", "fast"), [(0.0, False), (0.14, False), (0.16, True)])
+def test_what_goes_a_quarter_of_the_thinnest_diameter_in_a_step_is_fast(
+    speed: float, fast: bool
+) -> None:
+    """Cords of 10 and 20 mm, in steps of 1/60 s: from 0.15 m/s on, by any node."""
+    table = Simulation(ropes(0.01, 0.02)).system.node.contact
+    v = np.zeros((3, len(table.rope) + 1))
+    v[:, -1] = speed / math.sqrt(3.0)
+    assert is_fast(v, STEP, table) == fast
+
+
+def test_nothing_is_fast_where_no_rope_is() -> None:
+    table = Simulation(ropes(0.01, 0.02)).system.node.contact
+    nowhere = table._replace(rope=np.full_like(table.rope, -1))
+    assert not is_fast(np.ones((3, len(table.rope) + 1)), STEP, nowhere)
+
+
+def ropes(*diameters: float) -> Scene:
+    """Cords side by side that may touch each other."""
+    stuff = Material(EA=100.0, mass_per_length=0.02)
+    made = [
+        Rope(
+            name=f"r{k}",
+            segments=2,
+            length=0.1,
+            diameter=d,
+            made_of=stuff,
+            shape=Straight(start=(0, k, 1)),
+        )
+        for k, d in enumerate(diameters)
+    ]
+    return Scene(
+        ropes=made, contact=Contact(), run=RunSettings(method="implicit-euler", time_step=STEP)
+    )

@@ -317,9 +317,9 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
     The step is part `place` of 2^level parts; one that finds no solution is halved. Parts grow again after
-    `need` of them, and where the longer one fails it takes twice as many the next time; where many touch, in
-    the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit Euler;
-    one that makes up energy is taken as `halves` says.
+    `need` of them, and where the longer one fails it takes twice as many the next time; where ropes heap up,
+    in the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit
+    Euler; one that makes up energy is taken as `halves` says.
     """
     rescue, among_obstacles = scratch.halves[LAST], state.memory.obstacle.grip.shape[0] > 0
     kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
@@ -331,7 +331,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
-    carried = is_soft(kind, A) and carries_parts(system, state)
+    carried = is_soft(kind, A) and carries_parts(system, state, dt)
     level, run, need, climbed = begin_parts(state.past, dt, carried)
     place, last, turn = 0, dt, -1
     fixed = scratch.stage.saddle.band.frozen[0] == 0
@@ -362,7 +362,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
             climbed = run >= need and place % 2 == 0
             if climbed:
                 level, place, run = level - 1, place // 2, 0
-            while has_bending(system) and place % 2 == 0:  # rods are lost in short parts
+            while has_bending(system) and not carried and place % 2 == 0:  # rods are lost else
                 level, place = level - 1, place // 2
         elif status == HIT:
             continue

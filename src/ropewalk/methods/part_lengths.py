@@ -1,11 +1,18 @@
-"""With which length of its parts a step begins: where many ropes touch, with that of the last one.
+"""With which length of its parts a step begins: where ropes heap up, with that of the last one.
 
 In a pile the whole step, its half and its quarter fail again and again, each after all its iterations. So
 there the parts of one step go on in the next as if both were one: `need` of them are solved for before one of
 twice their length is tried, at the beginning of a step, too. A whole step that is solved ends that.
+
+It is a pile where many ropes touch. With bending few ever do, and most tries fail where a rope lands: there
+it is one while a node goes fast, and what lies comes to rest in whole steps.
 """
 
 from __future__ import annotations
+
+import math
+
+import numpy as np
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.laws.couplings import couples
@@ -15,17 +22,31 @@ from ropewalk.laws.rare import has_bending
 MOST_HALVINGS = 12
 SMALLEST_PART = 0.5**MOST_HALVINGS  # [1] of a step
 FEWEST_PARTS, MOST_PARTS = 2, 16  # that are solved before one of twice their length is tried
-MANY = 64  # contacts from which on parts go on in the next step
+MANY = 64  # contacts from which on parts go on in the next step, without bending
+FAST = 0.25  # [1] of a diameter that a node has to go in a step for it with bending
 LENGTH, SOLVED, NEED = 3, 4, 5  # places in `State.past`
 
 
 @part
-def carries_parts(system, state):
-    """Tell whether the parts of the last step go on in the next."""
-    if not couples(system) or has_bending(system):  # rods are lost in short parts
-        return False
+def carries_parts(system, state, dt):
+    """Tell whether the parts of the last step go on in the next of `dt` [s]."""
     tally = state.memory.contact.tally
-    return tally.shape[0] > 0 and tally[CONTACTS] >= MANY
+    if not couples(system) or tally.shape[0] == 0:
+        return False
+    if has_bending(system):
+        return is_fast(state.v, dt, system.node.contact)
+    return tally[CONTACTS] >= MANY
+
+
+@kernel
+def is_fast(v, dt, table):
+    """Tell whether a node goes by more than FAST of the thinnest rope's diameter in `dt` [s]; v is (3, n)."""
+    thin, most = np.inf, 0.0
+    for j in range(table.radius.shape[0]):
+        thin = min(thin, table.radius[j]) if table.rope[j] >= 0 else thin
+    for i in range(v.shape[1]):
+        most = max(most, v[0, i] * v[0, i] + v[1, i] * v[1, i] + v[2, i] * v[2, i])
+    return dt * math.sqrt(most) > 2.0 * FAST * thin
 
 
 @kernel
