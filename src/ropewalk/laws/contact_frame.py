@@ -9,8 +9,8 @@ from ropewalk.laws.obstacle_pose import body_of, drawn_place, pose_of, probe_tur
 from ropewalk.motions.whereabouts import place_now
 
 # Rows of `Memory.grip` after the spring's force: the coefficient of friction, R_n, the spring's stiffness,
-# the damper, and the rate of the coefficient, see `polygon`.
-GRIP, PUSH, STIFF, DAMP, GROWS, GRIPS = 3, 4, 5, 6, 7, 8
+# the damper, the rate of the coefficient and how long it lasts, see `polygon`.
+GRIP, PUSH, STIFF, DAMP, GROWS, LASTS, GRIPS = 3, 4, 5, 6, 7, 8, 9
 STILL = 0.02  # [1] diameters by which a contact may close in a step that strikes nothing
 TOUCHES = 1e-9  # [1] depth over the diameter up to which what is drawn just touching is open
 STOPS = 0.5  # [1] longest step that follows how a contact stops what strikes it, over 2 sqrt(m / k)
@@ -106,4 +106,4 @@ def cut(x, y, z, bound):
 @small
 def friction_at(grip, i, since):
     """Return the coefficient of a node, so long [s] after `grip` was kept."""
-    return max(grip[GRIP, i] + grip[GROWS, i] * since, 0.0)
+    return max(grip[GRIP, i] + grip[GROWS, i] * min(since, grip[LASTS, i]), 0.0)

@@ -111,7 +111,7 @@ class Memory(NamedTuple):
     """What contacts remember of the last accepted step."""
 
     # (k, GRIPS, n) force of the friction spring [N], coefficient of friction, R_n [N], the spring's stiffness
-    # [N/m], the damper [N s/m], the rate of the coefficient [1/s]
+    # [N/m], the damper [N s/m], the rate of the coefficient [1/s] and how long it lasts [s]
     grip: Floats
     place: Floats  # (3, n) [m]
     given: Floats  # (n,) what moving surfaces have given to nodes so far, where any did [J]

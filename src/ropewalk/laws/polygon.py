@@ -18,7 +18,8 @@ faces.
 
 e changes as a node moves by a part of a segment, so that what it was a step ago were too much or too little
 by v dt / 2 R at both ends of a round. So the coefficient goes on with the time as it would if the nodes went
-on as they do: by no place within the step, so that tangents lack nothing.
+on as they do: by no place within the step, so that tangents lack nothing. It goes on until e is all that
+counts, however much longer the next step is.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
-from ropewalk.laws.contact_frame import GRIP, GROWS
+from ropewalk.laws.contact_frame import GRIP, GROWS, LASTS
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned
 from ropewalk.laws.obstacle_shapes import CAPSULE, CYLINDER, SPHERE, TORUS
 
@@ -44,7 +45,7 @@ def keep_friction(x, v, obstacles, grip, o, i, probed, place, angle, dt, stiffne
     `probed` is what `probe` tells of its surface there, from n on; `place` is where the node will be in the
     frame of the body [m], and `angle` how far that will have turned [rad].
     """
-    _, middle, off = turned_by(x, v, obstacles, o, i, probed, 0.0, stiffness)
+    _, middle, off, _ = turned_by(x, v, obstacles, o, i, probed, 0.0, stiffness)
     grip[GRIP, i], grip[GROWS, i] = middle, 0.0
     if off == 0.0:
         return
@@ -55,13 +56,16 @@ def keep_friction(x, v, obstacles, grip, o, i, probed, place, angle, dt, stiffne
     body, pose = body_of(obstacles, o), pose_of(obstacles, o, angle)
     _, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, place[0], place[1], place[2])
     later = (nx, ny, nz, ax, ay, az, ca, cb)
-    _, middle, off = turned_by(x, v, obstacles, o, i, later, dt, stiffness)
-    grip[GROWS, i] = (tilted(middle, off, c) - grip[GRIP, i]) / dt
+    _, middle, off, counts = turned_by(x, v, obstacles, o, i, later, dt, stiffness)
+    change = tilted(middle, off, c) - grip[GRIP, i]
+    most = tilted(middle, math.copysign(counts, c * change), c) - grip[GRIP, i]
+    grip[GROWS, i] = change / dt
+    grip[LASTS, i] = dt * max(most / change, 1.0) if change != 0.0 else dt
 
 
 @small
 def turned_by(x, v, obstacles, o, i, probed, dt, stiffness):
-    """Return a node's turn towards an obstacle [rad], tan p, and e as far as it counts [rad], see above.
+    """Return a node's turn towards an obstacle [rad], tan p, e as far as it counts, and how far [rad].
 
     `probed` as of `keep_friction`, in `dt` [s] at velocities as they are.
     """
@@ -72,10 +76,10 @@ def turned_by(x, v, obstacles, o, i, probed, dt, stiffness):
     turn = max(rise + fall, 0.0)
     middle = on_polygon(obstacles.friction[o, i], turn)
     if turn < LEVEL or not is_round(obstacles, o):
-        return turn, middle, 0.0
+        return turn, middle, 0.0, 0.0
     a = (ax, ay, az)
     counts = counting(max(angle_of(x, i - 1, a, ca, cb), angle_of(x, i, a, ca, cb)), middle)
-    return turn, middle, min(max(0.5 * (rise - fall), -counts), counts)
+    return turn, middle, min(max(0.5 * (rise - fall), -counts), counts), counts
 
 
 @small

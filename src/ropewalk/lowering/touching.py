@@ -115,7 +115,7 @@ def contacts_at(
         if not push > 0.0:
             continue
         probed = (*direction, ax, ay, az, ca, cb)
-        turn, cone, off = turned_by(x, x, table, o, i, probed, 0.0, stiffness)
+        turn, cone, off, _ = turned_by(x, x, table, o, i, probed, 0.0, stiffness)
         along = over[o, j] - normal * (normal @ over[o, j])
         aside = turn_within(x, i, normal) if turn > 0.0 else 0.0
         rows.append((o, i, normal, push, cone, along, turn, aside, off))
