@@ -60,11 +60,16 @@ def test_a_rope_holds_on_the_cylinder_below_the_limit_and_slides_above(
 
 
 def test_a_rope_that_crosses_another_lies_where_the_elastica_does() -> None:
-    """One contact without friction: shapes and the lift, which tells the force through it."""
-    found = scores("crossing")
-    assert found["shape_error"] < 2e-3
-    assert found["lift_error"] < 5e-3
-    assert found["settling_residual"] < 1e-6
+    """One contact without friction: shapes and the lift, which tells the force through it.
+
+    What is off are the segments, and how deep contacts are pressed at rest: finer ones err less.
+    """
+    found, fine = scores("crossing"), scores("crossing", 200)
+    assert found["shape_error"] < 8e-4
+    assert found["lift_error"] < 2.6e-3
+    assert found["settling_residual"] < 1e-9
+    assert fine["shape_error"] < 1.2e-4
+    assert fine["lift_error"] < 1e-3
 
 
 def test_a_rope_heaps_up_without_passing_into_itself() -> None:
