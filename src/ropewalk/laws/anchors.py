@@ -16,6 +16,7 @@ from ropewalk.laws.clamps import close_clamps, let_bend, turn_clamps
 from ropewalk.laws.joint_forces import write_joint_forces
 from ropewalk.laws.joints import follow, tie, tied_to
 from ropewalk.laws.nodes import hold_up, remember_step
+from ropewalk.laws.obstacle_lead import ROUNDED
 from ropewalk.laws.pairs.swept import HELD_WIDTH, sweep_held
 from ropewalk.laws.rare import has_clamps, limits
 from ropewalk.laws.table import force_on_node
@@ -64,6 +65,30 @@ def anchor_target(system, state, row, t, ahead, x, v):
         hold_up(system, x, v)
 
 
+@part
+def stage_target(system, state, row, t, ahead, end, h, x, v):
+    """Write what a stage at time `t` has of anchor `row`: `anchor_target`, but in the first of two of a step
+    to `end` of `h` [s], 0: it is none.
+
+    There it has the place P and the velocity U that its method would give what goes with the anchor, see
+    `obstacle_lead`: from its own ones nodes would come to the end with 3.4 times its acceleration.
+    """
+    if h > 0.0:
+        off, size, g = 0.0, 0.0, ahead / h
+        anchor_target(system, state, row, end, h, x, v)
+        for k in range(3):
+            way = x[k] - state.anchor_x[row, k]
+            off += abs(way - h * v[k])
+            size += abs(x[k]) + abs(way)
+        if off > ROUNDED * size:
+            for k in range(3):
+                before = state.anchor_x[row, k]
+                v[k] = ((x[k] - before) / h - g * v[k]) / (1.0 - g)
+                x[k] = before + ahead * v[k]
+            return
+    anchor_target(system, state, row, t, ahead, x, v)
+
+
 @seldom
 def anchor_places(system, state, row, times, x, v, places):
     """Write where anchor `row` is at these times [s], (t, 3) [m], and its last place and velocity."""
@@ -74,12 +99,12 @@ def anchor_places(system, state, row, times, x, v, places):
 
 
 @part
-def place_stage(system, state, t, ahead, x, v, point, speed):
-    """Put the held nodes of a stage's arrays where their anchors are at the stage's time."""
+def place_stage(system, state, t, ahead, x, v, point, speed, end=0.0, h=0.0):
+    """Put the held nodes of a stage's arrays where their anchors are at its time, see `stage_target`."""
     state.now[0] = t
     for row in range(state.held.shape[0]):
         if state.held[row] == 1:
-            anchor_target(system, state, row, t, ahead, point, speed)
+            stage_target(system, state, row, t, ahead, end, h, point, speed)
             i = state.anchor_node[row]
             for k in range(3):
                 x[k, i] = point[k]

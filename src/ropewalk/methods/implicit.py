@@ -257,7 +257,8 @@ def take_step(
             c1, c2 = prepare_alpha(state, scratch, numbers, dt)
             share = 1.0 - numbers[1]
         time, ahead = after if share == 1.0 else t + share * dt, share * dt
-        status = UNSOLVED
+        whole = dt if kind == DIRK and s == 0 and b.shape[0] == 2 else 0.0
+        status, point, speed = UNSOLVED, scratch.point, scratch.speed
         # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
         twice = not watch or (not couples(system) and (level == 0 or has_bending(system)))
         for attempt in range(2 if twice else 1):
@@ -266,7 +267,7 @@ def take_step(
             if attempt == 1 or not warm:
                 axpy(stage.v_known, c2, stage.a, stage.v)
                 axpy(stage.x_known, c1, stage.v, stage.x)
-            place_stage(system, state, time, ahead, stage.x, stage.v, scratch.point, scratch.speed)
+            place_stage(system, state, time, ahead, stage.x, stage.v, point, speed, after, whole)
             if winds(system, state):
                 wind_to(system, state, time, scratch.turning)
             if attempt == 1:

@@ -34,7 +34,7 @@ from ropewalk.core.lane_rows import (
     put3,
 )
 from ropewalk.core.lanes import WIDTH, pick, spread
-from ropewalk.laws.anchors import anchor_target
+from ropewalk.laws.anchors import stage_target
 from ropewalk.methods.kinks import near
 from ropewalk.methods.lane_stage import (
     GOES_ON,
@@ -115,12 +115,12 @@ def enter_rope(system, state, w, work, course):
 
 
 @kernel
-def hold(system, state, scratch, w, time, ahead, work):
+def hold(system, state, scratch, w, time, ahead, end, h, work):
     """Put the held nodes of lane `w` where they are at `time` [s], see `anchors.place_stage`."""
     x, v = scratch.point, scratch.speed
     for row in range(state.held.shape[0]):
         if state.held[row] == 1:
-            anchor_target(system, state, row, time, ahead, x, v)
+            stage_target(system, state, row, time, ahead, end, h, x, v)
             at = state.anchor_node[row] * WIDTH + w
             for k in range(3):
                 work[at + (X + k) * SPAN] = x[k]
@@ -259,10 +259,11 @@ def look_ahead(system, state, scratch, ropes, able, work, course, t, after, dt, 
             continue
         time, ahead, own = after if c[s] == 1.0 else t + c[s] * dt, c[s] * dt, dt * A_table[s, s]
         know(work, n, A_table, s, dt)
+        whole = dt if s == 0 and c.shape[0] == 2 else 0.0
         for w in range(WIDTH):
             if able[w] > 0.0:
-                here = at(scratch, scratches[w])
-                hold(at(system, systems[w]), at(state, states[w]), here, w, time, ahead, work)
+                rope, begun = at(system, systems[w]), at(state, states[w])
+                hold(rope, begun, at(scratch, scratches[w]), w, time, ahead, after, whole, work)
         solve_stages(scratch, scratches, able, work, course, n, own)
         for w in range(WIDTH):
             if able[w] > 0.0:
