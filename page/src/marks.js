@@ -7,16 +7,16 @@ import { alike } from "./input/counterpart.js";
 import { placeOf } from "./input/pick.js";
 import {
   CROWD,
-  REACTION,
   drawnOf,
   forceText,
   hasTail,
   holding,
   crowded,
-  longest,
   nameOf,
   numberedOf,
+  scaleOf,
   strongestOf,
+  tipOf,
 } from "./reactions.js";
 import { CONTACT, arrowsOf, firmestOf, pushesOf } from "./touches.js";
 import { Trails, fliers } from "./render/trails.js";
@@ -178,7 +178,7 @@ export class Marks {
   addReactions(held, arrows) {
     const { camera, theme, session } = this.viewport;
     const playing = session.status?.playing ?? false;
-    const per = (longest(camera) * camera.pose.distance) / camera.focal / this.strongest;
+    const per = scaleOf(this.strongest, /** @type {Layout} */ (session.layout), camera);
     const large = drawnOf(held, this.strongest, this.arrowed);
     const pointed = (/** @type {import("./reactions.js").Holding} */ one) => this.pointedAt(one);
     const drawn = drawnOf(held, this.strongest, this.arrowed, pointed);
@@ -188,7 +188,7 @@ export class Marks {
     this.crowd = crowded(held) ? { forces: held.length, large: large.length } : null;
     for (const one of drawn) {
       const { variant, a, place: from, force, size, peak } = one;
-      const to = plus(from, force, per);
+      const to = tipOf(from, force, per, camera);
       arrows.push({ from, to, colour: theme.arrow, pixels: 2.6, head: true });
       if (!numbered.includes(one)) continue;
       const most = Math.max(peak, this.most[variant]?.[a] ?? 0);
@@ -275,21 +275,20 @@ export class Marks {
     });
   }
 
-  /** The constant forces of the scene. @param {Arrow[]} arrows */
+  /** The constant forces of the scene, on the scale of what anchors hold. @param {Arrow[]} arrows */
   addForces(arrows) {
     const { session, theme, nodes, camera } = this.viewport;
     const { forces } = /** @type {Layout} */ (session.layout).variants[0];
     if (!this.reactions || !forces.length) return;
     const sizes = forces.map(({ force }) => Math.hypot(...force));
-    const longest = Math.max(...sizes);
+    const per = scaleOf(this.strongest, /** @type {Layout} */ (session.layout), camera);
     const numbered = new Set(
       [...sizes.keys()].sort((a, b) => sizes[b] - sizes[a]).slice(0, MOST_LABELS),
     );
-    const reach = (0.6 * REACTION * camera.pose.distance) / camera.focal;
     for (const [i, { index, force }] of forces.entries()) {
       if (!(sizes[i] > 0)) continue;
       const from = vector(nodes.shown.subarray(4 * index, 4 * index + 3));
-      const to = plus(from, force, reach / longest);
+      const to = tipOf(from, vector(force), per, camera);
       arrows.push({ from, to, colour: theme.load, pixels: 2.6, head: true });
       const [id, text] = [`given ${i}`, quantity(sizes[i], "N")];
       if (numbered.has(i)) this.labels.push({ id, from, at: to, text, kind: "given" });

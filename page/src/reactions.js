@@ -20,6 +20,8 @@ const LOUD = 0.5; // of the strongest: of a crowd, those above it are shown
 const HUSHED = 0.42; // below which one of them is no longer: it does not flicker
 const KEPT = 1.15; // by which a force must be larger than one that has a number, to take its place
 const WELL = 1.05; // times what it is now, above which the greatest is told as such
+const GIVEN = 0.6; // of the longest arrow, which that of a constant force may have
+const SHORTEST = 14; // length of an arrow that is to be seen [CSS pixels]
 const CHIP = 34; // that a label takes beyond its arrow's tip [CSS pixels]
 const CLEAR = 6; // that tips stay away from tools [CSS pixels]
 const MOST = 0.12; // of the height that is free, which arrows may take at one side
@@ -94,6 +96,20 @@ export const nameOf = ({ variant, a }) => `${variant} ${a}`;
 /** The longest arrow [CSS pixels]. @param {Camera} camera */
 export const longest = ({ width, height }) => Math.min(REACTION, 0.14 * width, 0.17 * height);
 
+/** How long arrows of forces are, of anchors and constant ones alike [m/N], for a camera. @param {number} strongest
+ * of the anchors [N] @param {Layout} layout @param {Camera} camera */
+export function scaleOf(strongest, layout, camera) {
+  const given = (layout.variants[0].forces ?? []).map(({ force }) => Math.hypot(...force) / GIVEN);
+  return (longest(camera) * camera.pose.distance) / camera.focal / Math.max(strongest, ...given);
+}
+
+/** Where the arrow of a force ends: to scale, but long enough to be seen. @param {Vector} from
+ * @param {ArrayLike<number>} force [N] @param {number} per its scale [m/N] @param {Camera} camera @returns {Vector} */
+export function tipOf(from, force, per, camera) {
+  const shortest = (SHORTEST * camera.pose.distance) / camera.focal;
+  return plus(from, force, Math.max(per, shortest / Math.hypot(force[0], force[1], force[2])));
+}
+
 /** Where the arrows of anchors end [m], as long as they are for a camera.
  * @param {Viewport} viewport @param {Camera} camera @returns {Vector[]} */
 export function tipsOf(viewport, camera) {
@@ -102,8 +118,9 @@ export function tipsOf(viewport, camera) {
   const held = holding(viewport, anchors.to);
   const strongest = Math.max(strongestOf(held), marks.strongest);
   const length = (longest(camera) * camera.pose.distance) / camera.focal;
+  const per = scaleOf(strongest, /** @type {Layout} */ (session.layout), camera);
   const tips = drawnOf(held, strongest, marks.arrowed).map(({ place, force }) =>
-    plus(place, force, length / strongest),
+    tipOf(place, force, per, camera),
   );
   return marks.strongest || crowded(held) ? tips : [...tips, ...coming(viewport, held, length)];
 }

@@ -65,6 +65,11 @@ export class Session extends Emitter {
     });
   }
 
+  /** Whether there is no server to answer, as the banner says. */
+  get gone() {
+    return ["ended", "lost", "full"].includes(this.connection);
+  }
+
   /** Whether the server accepts a command. @param {string} type */
   can(type) {
     return this.hello?.can.includes(type) ?? false;
@@ -91,6 +96,7 @@ export class Session extends Emitter {
 
   /** Send a command for its effect; a fault is shown to the user. @param {Record<string, any>} command */
   async tell(command) {
+    if (this.gone) return false; // the banner says so
     try {
       await this.ask(command);
       return true;

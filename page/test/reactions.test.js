@@ -3,7 +3,16 @@ import { test } from "node:test";
 
 import { Framing } from "../src/framing.js";
 import { partNear } from "../src/solids.js";
-import { drawnOf, forceText, hasTail, numberedOf, roomFor, tipsOf } from "../src/reactions.js";
+import {
+  drawnOf,
+  forceText,
+  hasTail,
+  numberedOf,
+  roomFor,
+  scaleOf,
+  tipOf,
+  tipsOf,
+} from "../src/reactions.js";
 import { contactTips, strongestOfEach } from "../src/touches.js";
 import { crowdText, endText } from "../src/panels/legend.js";
 import { Camera } from "../src/view/camera.js";
@@ -147,6 +156,25 @@ test("the room for arrows is what the picture needs that leaves it, wherever the
     assert.ok((roomFor(made, clear, strips).left ?? 0) < 1, `seen from ${x}`); // pixel
     assert.ok(roomFor(made, camera.at(framed(strips)), strips).left > 0); // the twin: without it
   }
+});
+
+test("newtons of constant forces and of anchors are as long, and none is too short to be seen", () => {
+  const camera = new Camera();
+  camera.resize(900, 600);
+  camera.set({ target: [0, 0, 0], distance: 10, azimuth: -Math.PI / 2, elevation: 0 });
+  const layout = (/** @type {number[]} */ ...forces) =>
+    /** @type {any} */ ({
+      variants: [{ forces: forces.map((size) => ({ force: [size, 0, 0] })) }],
+    });
+  const pixel = camera.pose.distance / camera.focal;
+  const long = (/** @type {number} */ size, /** @type {number} */ per) =>
+    tipOf([0, 0, 0], [0, size, 0], per, camera)[1] / pixel;
+  const hauled = scaleOf(200, layout(100, 10), camera);
+  assert.ok(Math.abs(long(200, hauled) - 84) < 1e-6);
+  assert.ok(Math.abs(long(100, hauled) - 42) < 1e-6); // was 50, and the 10 N of a bollard as well
+  assert.ok(Math.abs(long(10, hauled) - 14) < 1e-6);
+  const given = scaleOf(20, layout(100), camera); // no longer than 0.6 of the longest
+  assert.ok(Math.abs(long(100, given) - 50.4) < 1e-6);
 });
 
 test("before anything is drawn the end of a rope is given the room of an arrow along it", () => {

@@ -84,14 +84,42 @@ test("a wrap is told by angle, tensions, their ratio and its share of what frict
   assert.ok(Math.abs(ratioOf(wrap) - 12) < 1e-6);
   assert.deepEqual(wrapText(wrap, false), [
     "drum: 540°, 10 N → 120 N",
-    "ratio 12, slips at 16.9 (71 %)",
+    "ratio 12, slips at 16.9 (88 %)", // of the angle: ln 12 / ln 16.9
   ]);
   assert.equal(wrapText(wrap, true)[0], "line on drum: 540°, 10 N → 120 N");
   const back = { ...wrap, before: 120, after: 10 };
-  assert.equal(wrapText(back, false)[1], "ratio 12, slips at 16.9 (71 %)"); // either way
+  assert.equal(wrapText(back, false)[1], "ratio 12, slips at 16.9 (88 %)"); // either way
+  const idle = { ...wrap, before: 100, after: 101 };
+  assert.equal(wrapText(idle, false)[1], "ratio 1.01, slips at 16.9 (0.35 %)"); // was 6 %
+  const full = { ...wrap, after: 10 * 16.9 };
+  assert.equal(wrapText(full, false)[1], "ratio 16.9, slips at 16.9 (100 %)");
   assert.equal(wrapText({ ...wrap, before: 0 }, false)[1], "one side is slack");
   assert.equal(wrapText({ ...wrap, slip: 1 }, false)[1], "ratio 12, no friction along it");
   assert.equal(wrapText({ ...wrap, slip: 1e30 }, false)[1], "ratio 12, slips at none");
+});
+
+test("a turn that holds more than it can by itself has no share of that", () => {
+  const knot = new Float32Array([0, 0, 22, 58, 12.5, 2.04, 0.013, Math.log(41.5)]);
+  const words = (/** @type {number} */ place) => {
+    const ropeContacts = new Float32Array([place, 300, 0, 0, 8, -1, -1, -1, -1, -1]);
+    return wrapText(wrapsOf(layout, part({ wraps: knot, ropeContacts }))[0], false);
+  };
+  assert.deepEqual(words(40), [
+    "drum: 716°, 2.04 N → 13 mN",
+    "ratio 157, held by ropes on it, too", // was (380 %)
+  ]);
+  assert.equal(words(80)[1], "ratio 157, more than its turn holds"); // it falls, or bears its own weight
+  const [wrap] = wrapsOf(
+    layout,
+    part({ wraps: drum, ropeContacts: new Float32Array([30, 1, 0, 0, 1]) }),
+  );
+  assert.equal(wrapText(wrap, false)[1], "ratio 12, slips at 16.9 without the ropes on it");
+  const pushed = { ...wrap, before: 86.7, after: -0.0401 };
+  assert.deepEqual(wrapText(pushed, false), [
+    "drum: 540°, 86.7 N → slack",
+    "held by ropes on it, too",
+  ]);
+  assert.equal(wrapText({ ...pushed, pressed: false }, false)[1], "one side is slack");
 });
 
 test("what friction took is told by surface, the most first; nothing where it is not known", () => {
@@ -102,6 +130,9 @@ test("what friction took is told by surface, the most first; nothing where it is
     "Friction took 2 J on floor, 0.5 J between ropes, 0.25 J on drum",
   );
   assert.equal(took(-0.25, 0, 0), "Friction took 0.25 J on drum");
+  assert.equal(took(0, 0, 5.85e-9), "Friction has taken nothing yet"); // was −5.85 nJ between ropes
+  assert.equal(took(-0.25, 0.1, 0), "Friction took 0.25 J on drum, gave 0.1 J on floor");
+  assert.equal(took(0.25, 0, 0), "Friction gave 0.25 J on drum"); // it drives the rope
   assert.equal(took(0, 0, 0), "Friction has taken nothing yet");
   assert.equal(took(NaN, NaN, NaN), "");
   assert.equal(took(), "");

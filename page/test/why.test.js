@@ -19,8 +19,15 @@ test("a break is told without the theory's letters, differently for a long step 
   assert.doesNotMatch(whyItBroke(null), /step|hand/); // nothing is said that is not known
 });
 
+test("softer springs are not advised where none are soft enough", () => {
+  const words = whyItBroke(cause({ spring_factor: 0 })); // the meter: "largest EA 0 N"
+  assert.doesNotMatch(words, /shorter step, softer springs/);
+  assert.match(words, /less damping, softer contacts/);
+  assert.match(whyItBroke(cause({ spring_factor: 0.4 })), /softer springs or more mass/);
+});
+
 test("in short it says the same of each, within a phone's line", () => {
-  for (const one of [{}, { stable: true }, { bound: null }, { rubs: true }]) {
+  for (const one of [{}, { stable: true }, { bound: null }, { rubs: true }, { spring_factor: 0 }]) {
     const [short, long] = [whyInShort(cause(one)), whyItBroke(cause(one))];
     assert.ok(short.length < 56, short);
     const told = /too long|too far|pulled or threw/;

@@ -10,6 +10,7 @@ import pytest
 import ropewalk as rw
 from browser.window import Window
 from ropewalk.live.serve import ViewServer
+from ropewalk.live.session import Session
 from ropewalk.live.share import share_result
 from ropewalk.scene.presets import preset
 
@@ -45,3 +46,26 @@ def test_past_a_break_the_scale_says_that_there_is_more(tmp_path: Path, open_win
     window.until("r.session.frame.flags & 2")
     window.settled()
     assert "≥ " in numbers.inner_text()
+
+
+def test_wraps_are_told_on_a_phone_that_lies(open_window: Open, serve: Serve) -> None:
+    """They were left out; opened, they stand above the row, which stays."""
+    server = serve(Session(preset("bollard"), "bollard"))
+    window = open_window(server.address, viewport={"width": 844, "height": 390}).ready()
+    window.tell(type="step", count=2)
+    summary = window.page.locator("#wraps summary")
+    assert summary.is_visible()
+    summary.click()
+    words = window.page.locator("#wrap-list")
+    assert words.is_visible()
+    assert "slips at" in words.inner_text()
+    assert all(window.page.locator(part).is_visible() for part in [*SCALE, "#colouring"])
+    row = window.page.locator(".legend").bounding_box()
+    above = window.page.locator(".wraps-body").bounding_box()
+    assert above["y"] > 0
+    assert above["y"] + above["height"] <= row["y"]
+
+
+def test_on_a_phone_that_stands_stands_can_be_hidden(open_window: Open, serve: Serve) -> None:
+    window = open_window(serve().address, viewport={"width": 390, "height": 844}).ready()
+    assert window.page.locator("#show-posts").is_visible()

@@ -10,7 +10,7 @@ import { paceOf } from "./throw.js";
 
 const APART = 16; // ms between two targets at least
 const STEP = 0.02; // radii of the scene that an arrow key moves a body
-const TURN = Math.PI / 18; // that a key turns it
+const TURN = Math.PI / 12; // that a key turns it, as the menu does
 const FACING = 0.5; // cosine of axis and view, above which a body is turned like a wheel that is looked at
 const HELD = 400; // ms within which a key goes on from its last target
 

@@ -75,6 +75,7 @@ export class Controls {
     );
     session.on("hello", () => this.refresh());
     session.on("status", () => this.refresh());
+    session.on("connection", () => this.refresh());
     session.on("frame", (frame) => this.showTime(frame.time));
     this.refresh();
   }
@@ -92,11 +93,12 @@ export class Controls {
     if (!status) return;
     if (!status.playing && session.frame) this.showTime(session.frame.time);
     const undo = status.undo ? `Undo ${status.undo}` : "Nothing to undo";
-    this.undo.disabled = !status.undo;
+    this.undo.disabled = session.gone || !status.undo;
     this.undo.title = `${undo} (Ctrl+Z)`;
     this.undo.setAttribute("aria-label", undo);
-    this.play.disabled = status.broken;
-    this.step.disabled = status.broken || status.playing;
+    this.reset.disabled = this.speed.disabled = session.gone;
+    this.play.disabled = session.gone || status.broken;
+    this.step.disabled = session.gone || status.broken || status.playing;
     const name = status.playing ? "pause" : "play";
     if (this.play.dataset.shows !== name) {
       this.play.dataset.shows = name;
@@ -107,7 +109,8 @@ export class Controls {
     }
     if (document.activeElement !== this.speed) this.speed.value = String(nearest(status.speed));
     this.speedText.textContent = speedText(status.speed);
-    this.reached.textContent = status.playing ? reachedText(status.realtime) : "paused";
+    const playing = status.playing && !session.gone;
+    this.reached.textContent = playing ? reachedText(status.realtime) : "paused";
     this.reached.classList.toggle("slow", status.slow);
     this.reached.title = status.text || "Simulated time per real time, over the last half second";
     if (status.duration) this.seek.max = String(status.duration);

@@ -31,13 +31,13 @@ export class Keep {
         label: "Save the run",
         id: "keep-save",
         hint: hello?.folder ?? "",
-        show: session.can("save"),
+        show: session.can("save") && !session.gone,
         press: () => this.save(),
       },
       {
         label: "Copy the link to this set-up",
         id: "keep-link",
-        show: session.can("scene"),
+        show: session.can("scene") && !session.gone, // it leads to this server
         press: () => this.copyLink(),
       },
       {
@@ -50,7 +50,7 @@ export class Keep {
       ...(hello?.exports ?? []).map((name) => ({
         label: FILES[name] ?? name,
         id: `keep-${name.replace(".", "-")}`,
-        show: true,
+        show: !session.gone,
         press: () => this.file(`${base}export/${name}`, name),
       })),
     ];
@@ -81,7 +81,9 @@ export class Keep {
       setTimeout(() => URL.revokeObjectURL(url), 10_000);
       this.notices.say(`${name} is in your downloads.`);
     } catch (error) {
-      this.notices.say(`${name}: ${error instanceof Error ? error.message : error}`, "fault");
+      const gone = error instanceof TypeError; // what fetch throws without an answer
+      const why = gone ? "the server is not there" : error instanceof Error ? error.message : error;
+      this.notices.say(`${name}: ${why}`, "fault");
     }
   }
 

@@ -71,11 +71,12 @@ export class Legend {
     });
     this.contacts.hidden = true;
     this.contacts.title =
-      "Forces of obstacles on ropes, and of ropes on each other: one on either rope";
+      "Forces of obstacles on ropes, and of ropes on each other: one on either rope. On a scale of their own";
     this.firmest = h("div", { className: "numbers", id: "contact-scale", hidden: true });
     this.fewer = h("div", { className: "numbers", id: "contacts-left-out", hidden: true });
     this.wraps = new WrapNote();
-    this.posts = this.check("Posts", "show-posts", true, (on) => (viewport.marks.standing = on));
+    this.posts = this.check("Stands", "show-posts", true, (on) => (viewport.marks.standing = on));
+    this.posts.title = "What anchors stand on: drawn only, ropes pass through it";
     this.posts.className = "posts";
     this.margin = h("div", { className: "numbers", id: "margin", hidden: true });
     this.given = h("div", { className: "numbers", id: "given", hidden: true });

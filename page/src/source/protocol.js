@@ -48,7 +48,8 @@
  *   spring_factor: number | null, case: string, method: string, verdict: string,
  *   remedies: string[], steps: Record<string, number>}} Stability */
 /** What the meter says of the step that broke. @typedef {Pick<Stability, "stable" | "bound" | "meter" |
- *   "meter_limit" | "meter_name"> & {rubs?: boolean}} Cause `rubs`: without friction the step would hold */
+ *   "meter_limit" | "meter_name"> & {rubs?: boolean, spring_factor?: number | null}} Cause `rubs`: without friction
+ * the step would hold; `spring_factor` 0: however soft its springs are, it would not */
 /** @typedef {{id: string, label: string, value?: any}} Remedy */
 /** @typedef {{type: "broken", variant: number, time: number, step: number, rope: string, node: number,
  *   index: number, text: string, sign: string, cause: Cause | null, remedies: Remedy[],

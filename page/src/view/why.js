@@ -23,6 +23,14 @@ export function whyItBroke(cause) {
       "the computation did. A shorter step, less friction or more mass keep it together."
     );
   }
+  if (cause.spring_factor === 0) {
+    return (
+      "Each step was too long for what damps the rope, or for what it touches: it is to slow a piece of the rope " +
+      "down or to push it back, but in one step it threw the piece back faster than it came, and so on. A real " +
+      "rope would not do this; the computation did. Softer springs do not help: a shorter step, less damping, " +
+      "softer contacts or more mass keep it together."
+    );
+  }
   return (
     "Each step was too long for so stiff and light a rope: within one step a piece of it flew past where its " +
     "neighbours pull it back to, then farther past on the other side, and so on. A real rope would not do this; " +
@@ -36,6 +44,7 @@ export function whyInShort(cause) {
   if (cause.bound === null) return "It was moved too far in one step.";
   if (cause.stable) return "Something pulled or threw a piece of it too far.";
   if (cause.rubs) return "Each step was too long for so much friction.";
+  if (cause.spring_factor === 0) return "Each step was too long for damping and contacts.";
   return "Each step was too long for so stiff and light a rope.";
 }
 

@@ -16,15 +16,17 @@ from ropewalk.analysis.stability import stability
 from ropewalk.core.arrays import Floats
 from ropewalk.live.meter import measure
 from ropewalk.live.remedies import as_messages, holds_without_friction
+from ropewalk.live.saved import Saved
 from ropewalk.live.session import Break, Session
-from ropewalk.live.track import Saved, Track
+from ropewalk.live.track import Track
 from ropewalk.record.beyond import cut, look_beyond
 from ropewalk.simulation import Simulation, Snapshot
 
 _HISTORY = 400  # steps to look at
 _STEPS_SENT, _MOST_SENT = 8, 6000  # steps past the break, and nodes of them all, told to the page
 _MOST_WORK = 3_000_000  # steps times nodes taken again
-_CAUSE = ("stable", "bound", "meter", "meter_limit", "meter_name")  # of the meter at the break
+# Of the meter at the break.
+_CAUSE = ("stable", "bound", "meter", "meter_limit", "meter_name", "spring_factor")
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,14 @@ from ropewalk.scene import Air, Rope, Scene, SceneError, Springs
 from ropewalk.scene.guess import guesses_of
 from ropewalk.scene.presets import preset
 
-FIRST_LEVEL = ("spring_friction", "mass", "length", "gravity")
+FIRST_LEVEL = (
+    "spring_friction",
+    "mass",
+    "length",
+    "obstacle_friction",
+    "contact_friction",
+    "gravity",
+)
 
 
 def layout(session: Session) -> dict[str, Any]:

@@ -24,6 +24,7 @@ SCALARS = (
     "time", "dt", "kinetic", "gravity", "elastic", "lost", "put_in", "energy_error", "tension_low",
     "tension_high", "tension_max", "strain_max", "speed_high", "low", "high", "touching",
     "difference", "difference_max", *TURNS, "rope_contacts", "rope_contact_force", "wraps", "wrap_age",
+    "energy_off", "energy_turned",
 )  # fmt: skip
 _TINY = 1e-30
 

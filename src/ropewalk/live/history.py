@@ -6,7 +6,7 @@ from collections import deque
 from typing import Any, NamedTuple
 
 from ropewalk.core.arrays import flatten
-from ropewalk.live.track import Saved
+from ropewalk.live.saved import Saved
 
 EVERY = 0.25  # [s] of simulated time between two moments
 LONGEST = 40  # moments

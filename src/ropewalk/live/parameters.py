@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, get_args
 
+from ropewalk.live import coulomb
 from ropewalk.live.segments import most_segments, resegment, with_rope
 from ropewalk.live.stiffness import (
     axial_stiffness,
@@ -22,9 +23,11 @@ from ropewalk.live.stiffness import (
 from ropewalk.methods.names import Method
 from ropewalk.scene import Air, Fault, Ground, Scene, SceneError, Springs
 from ropewalk.scene.limits import HUGE, TINY
+from ropewalk.scene.rubbing import MOST_FRICTION
 
 NUMBER, WHOLE, VECTOR, CHOICE, FLAG = "number", "whole", "vector", "choice", "flag"
 ROPE, WORLD, AIR, GROUND, METHOD = "Rope", "World", "Air", "NeHe's ground", "Method"
+TOUCH = "Contact"
 
 BARRED = "is another law than contact in this scene; a firm floor is an obstacle of kind plane"
 LONGEST_BASE = 50  # letters of a rope's name with which those of its pieces begin
@@ -52,9 +55,12 @@ class Parameter:
     low: float | None = None  # of a linear slider
     high: float | None = None
     choices: Callable[[], list[dict[str, str]]] | None = None
+    bars: Callable[[Scene], str] | None = None  # why a scene has no such number
 
     def barred(self, loaded: Scene) -> str:
         """Return why it is not there for a scene; empty where it is."""
+        if self.bars:
+            return self.bars(loaded)
         firm = loaded.obstacles or loaded.contact
         return BARRED if self.group == GROUND and firm and loaded.ground is None else ""
 
@@ -265,13 +271,13 @@ _TABLE = (
         of_rope(axial_stiffness), set_axial_stiffness, **_positive(100.0),
     ),
     Parameter(
-        "spring_friction", "Friction", ROPE, "N s/m", NUMBER,
+        "spring_friction", "Damping", ROPE, "N s/m", NUMBER,
         "In each segment: slows its two ends against each other",
         _rope_value("segment_friction"), _set_friction, **_from_zero(1.0),
     ),
     Parameter(
-        "friction_form", "Friction's form", ROPE, "", CHOICE,
-        "Vector friction also damps turning; axial friction keeps angular momentum",
+        "friction_form", "Damping's form", ROPE, "", CHOICE,
+        "Vector damping also damps turning; axial damping keeps angular momentum",
         _stuff("friction"), _set_stuff("friction"), choices=_forms,
     ),
     Parameter(
@@ -297,6 +303,18 @@ _TABLE = (
         "tension_only", "Goes slack", ROPE, "", FLAG,
         "A segment shorter than its rest length goes slack instead of pushing",
         _stuff("tension_only"), _set_stuff("tension_only"),
+    ),
+    Parameter(
+        "obstacle_friction", "Friction μ on obstacles", TOUCH, "1", NUMBER,
+        "Coulomb's coefficient of ropes on all obstacles: they hold up to μ times what presses them",
+        coulomb.of_obstacles, coulomb.set_of_obstacles, bars=coulomb.bar_obstacles,
+        minimum=0.0, maximum=MOST_FRICTION, high=1.0, low=0.0,
+    ),
+    Parameter(
+        "contact_friction", "Friction μ of ropes", TOUCH, "1", NUMBER,
+        "Coulomb's coefficient of rope on rope: they hold up to μ times what presses them together",
+        coulomb.of_contact, coulomb.set_of_contact, bars=coulomb.bar_contact,
+        minimum=0.0, maximum=MOST_FRICTION, high=1.0, low=0.0,
     ),
     Parameter(
         "gravity", "Gravity", WORLD, "m/s^2", VECTOR, "Up is against it",

@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.live.audience import Combine
 from ropewalk.live.counterparts import counterparts
+from ropewalk.live.energy_off import weigh
 from ropewalk.live.frame import Picture, Shape, combined, turns_of
 from ropewalk.live.seen import Seen
 from ropewalk.live.touch import WrapLook, Wraps, room_of, touch_now
@@ -85,6 +86,7 @@ def picture(
     tension = np.where(live, recording.tension[0], 0.0)
     energy = recording.energy[0]
     lost, put_in, error = track.books(recording)
+    weigh(track, recording)
     heights = positions @ np.array(track.scene.up)
     now = Seen.instant(tension, speed, heights, recording.reaction[0])
     seen = track.shown.widened(now, live)
@@ -97,6 +99,7 @@ def picture(
         "lost": lost,
         "put_in": put_in,
         "energy_error": error,
+        **track.balance.scalars,
         "tension_max": float(seen.greatest_tension.max(initial=0.0)),
         "strain_max": _largest_strain(simulation, recording.elastic_tension[0]),
         "low": float(seen.least_height.min()),

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats
+from ropewalk.live.energy_off import Balance, frame_by_frame
 from ropewalk.live.frame import Picture, Shape, turns_of
 from ropewalk.live.losses import losses_and_gifts
 from ropewalk.live.recorded_touch import GIVEN, PUT_IN, RecordedTouch
@@ -47,6 +49,7 @@ class Recorded:
         #: What a session has to add to the run's own energy of gravity, and to its energy error [J].
         self.carried_gravity, self.carried_error = 0.0, 0.0
         self._given = 0.0  # what changes have put in until it began [J]
+        self._begin: Balance | None = None  # that it goes on from
         self._up = np.array(result.scene.up)
         lets_go = {one.name: one.release_time for one in result.scene.anchors}
         #: When each anchor lets go [s], None: never.
@@ -84,6 +87,7 @@ class Recorded:
         made.past = self.past
         made.first_energy, made._first_gravity = self.first_energy, self._first_gravity
         made.touched.since, made._given = self.touched.since, self._given
+        made.balances = self.balances
         return made
 
     def follow(self, before: Recorded) -> None:
@@ -106,6 +110,26 @@ class Recorded:
         self.carried_error = self.first_energy - (before.first_energy + change)
         self.first_energy = before.first_energy + change
         self.touched.follow(before.touched, frame)
+        self._begin = before.balances[frame]._replace(last=self._error(0)).again()
+
+    @cached_property
+    def balances(self) -> list[Balance]:
+        """How far its energy is off, frame by frame."""
+        energy, layout = self.result.read("energy"), self.result.layout
+        work = np.nan_to_num(self.result.read("work"))
+        if not self.result.facts.ledger:
+            return [Balance.begun(0.0)] * len(energy)
+        given = np.array([sum(losses_and_gifts(row, layout.bends, layout.more)) for row in work])
+        given += self.given(self.result.read("time"))
+        if self._weight_turns:
+            given -= unaccounted(self.result.read(PULLEYS))
+        elastic, rubbed = energy[:, 2:].sum(axis=1), self.touched.rubbed_until_each()
+        gravity = energy[:, 1] - self._first_gravity
+        return frame_by_frame(
+            self._begin or Balance.begun(float(elastic[0])),
+            np.column_stack((energy[:, 0], gravity, elastic, np.abs(rubbed).sum(axis=1))),
+            energy.sum(axis=1) - self.first_energy - given,
+        )
 
     def _energy(self, frame: int) -> tuple[Floats, Floats]:
         """Return a frame's energies, and its work by laws and anchors [J]."""
@@ -183,6 +207,7 @@ class Recorded:
             "lost": -losses,
             "put_in": gifts + self._given + given,
             "energy_error": total - self.first_energy - losses - gifts - given,
+            **self.balances[frame].scalars,
             "tension_max": float(seen.greatest_tension.max(initial=0.0)),
             "strain_max": self._strain(data.get("elastic_tension", data["tension"])[row]),
             "low": float(seen.least_height.min()),

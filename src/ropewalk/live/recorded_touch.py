@@ -125,6 +125,15 @@ class RecordedTouch:
         """Return what drives and friction have done until a frame."""
         return self.works_at(self._frame(frame), 0)
 
+    def rubbed_until_each(self) -> Floats:
+        """Return what friction of each surface has done until every frame, (frames, k); NaN where unknown."""
+        until = self.works_until(0)
+        if CONTACT_WORK not in self.result.source.names:
+            return np.full((self.result.frames, len(until.rubbed)), math.nan)
+        books = self.result.read(CONTACT_WORK)[..., _RUB]
+        found: Floats = until.rubbed + books - books[0]
+        return found
+
     def _noted(self, data: Mapping[str, Floats], row: int) -> Works:
         """Return what the books have of a frame."""
         books = data[CONTACT_WORK][row]

@@ -12,6 +12,7 @@ from ropewalk.live.history import Moment
 from ropewalk.lowering import Layout, Model
 from ropewalk.lowering.steps import predicted_step, step_cases
 from ropewalk.simulation import Simulation
+from ropewalk.words.prefixes import prefix_of
 
 if TYPE_CHECKING:
     from ropewalk.live.session import Session
@@ -97,9 +98,10 @@ def as_messages(simulation: Simulation | None, changed: bool) -> list[dict[str, 
         found += [{"id": one, "label": "", "value": None} for one in ("step", "implicit")]
     else:
         step, method = suggested_step(simulation), implicit_method(simulation)
+        unit, prefix = prefix_of(step)  # as the meter beside it writes its own
         words = f"Use {method}" if "implicit" in method else f"Use {method}, implicit"
         found += [
-            {"id": "step", "label": f"Use a step of {1e3 * step:g} ms", "value": step},
+            {"id": "step", "label": f"Use a step of {step / unit:g} {prefix}s", "value": step},
             {"id": "implicit", "label": words, "value": method},
         ]
     if changed:

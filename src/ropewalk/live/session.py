@@ -16,9 +16,11 @@ from ropewalk.live import edits
 from ropewalk.live.actions import ACTIONS
 from ropewalk.live.changes import Key, changes_between, label_of, loaded_value, same
 from ropewalk.live.commands import PHYSICAL, Command, Knot
+from ropewalk.live.energy_off import weigh
 from ropewalk.live.history import EVERY, History, Moment
 from ropewalk.live.parameters import Parameter, initial, named, refusal
-from ropewalk.live.track import Saved, Track, planned
+from ropewalk.live.saved import Saved
+from ropewalk.live.track import Track, planned
 from ropewalk.live.undo import WORDS, Undo
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -139,6 +141,8 @@ class Session:
             if self.count % frame == 0:
                 self.look()
                 self._tear()
+                for track in self.tracks:
+                    weigh(track, track.simulation.recording().recording)
                 self.on_frame(self)
             if self.count % every == 0:
                 self.remember()

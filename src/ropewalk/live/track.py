@@ -5,12 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from copy import copy
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.core.peaks import Peaks
 from ropewalk.core.status import OK
 from ropewalk.laws.ledger import wound_energy
 from ropewalk.live import edits
@@ -18,10 +17,12 @@ from ropewalk.live.carry import carry_over
 from ropewalk.live.changes import same
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
+from ropewalk.live.energy_off import Balance
 from ropewalk.live.gaps import Parted, gaps, located, unknown
 from ropewalk.live.hands import CONTROL, Hands, held_around
 from ropewalk.live.losses import driven_work, losses_and_gifts
 from ropewalk.live.parameters import named, refusal
+from ropewalk.live.saved import Saved
 from ropewalk.live.seen import Interval
 from ropewalk.live.touch import Rubbed
 from ropewalk.live.wound_ropes import WHILE_WOUND, WOUND_FIXED, is_wound
@@ -32,7 +33,7 @@ from ropewalk.methods.recording import Recording, bends
 from ropewalk.record.body_energies import unaccounted, weight_turns
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
-from ropewalk.simulation import Simulation, Snapshot
+from ropewalk.simulation import Simulation
 from ropewalk.simulation.block import Block
 from ropewalk.statics import NoRest
 
@@ -43,22 +44,6 @@ ALIKE = ({"spring_constant", "EA"}, {"time_step", "steps_per_frame"})
 WITH_LINKS = "while a rope of rigid links is in the scene"
 
 on_drums = getattr(wound_energy, "py_func", wound_energy)  # a few numbers: not worth compiling
-
-
-class Saved(NamedTuple):
-    """All that a track needs to go on from there to the same bits."""
-
-    scene: Scene
-    simulation: Simulation
-    snapshot: Snapshot
-    hands: Hands
-    steps: int
-    first_energy: float
-    edited: float
-    first_gravity: float
-    seen: tuple[Peaks | None, Peaks | None]  # by `shown` and `recorded`
-    label: str
-    changes: dict[str, Any]
 
 
 class Track:
@@ -94,9 +79,13 @@ class Track:
         self.count, self.edited = 0, 0.0  # steps done, energy put in by changes [J]
         self.parted: tuple[Parted, ...] = ()  # what has parted until now
         self.first_energy = self.energy
-        self.first_gravity = float(simulation.recording().recording.energy[0, 1])  # [J]
-        self.rubbed = Rubbed(simulation)
-        self._first_works = self._works(simulation.recording().recording)
+        begin = simulation.recording().recording
+        self.first_gravity = float(begin.energy[0, 1])  # [J]
+        self.rubbed, self.balance = (
+            Rubbed(simulation),
+            Balance.begun(float(begin.energy[0, 2:].sum())),
+        )
+        self._first_works = self._works(begin)
         self.begun = self.save()  # when the present simulation began
 
     def _watch(self, simulation: Simulation) -> None:
@@ -189,6 +178,7 @@ class Track:
         self.first_energy += shift
         self.first_gravity += shift
         self.edited += self.energy - self._on_drums - before - shift
+        self.balance = self.balance.again()
         self.begun = self.save()
 
     def set(self, name: str, value: Any, rope: str | None = None) -> None:
@@ -344,6 +334,7 @@ class Track:
             self.first_energy,
             self.edited,
             self.first_gravity,
+            self.balance,
             (self.shown.kept, self.recorded.kept),
             self.label,
             dict(self.changes),
@@ -365,7 +356,7 @@ class Track:
             self.recorded.begin()
             self._recorded_at = self.simulation.time
         self.first_energy, self.edited = saved.first_energy, saved.edited
-        self.first_gravity = saved.first_gravity
+        self.first_gravity, self.balance = saved.first_gravity, saved.balance
         now, there = self.simulation.time, set(gaps(self.simulation).values())
         self.parted = tuple(  # one that was cut now may be undone now
             one for one in self.parted if one.parting.time < now or one.parting in there

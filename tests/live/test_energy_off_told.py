@@ -1,0 +1,83 @@
+"""How far energy is off is told from a session's begin on, whenever a page or a replay looks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from live.drive import do, slack_rope
+from ropewalk.live.keeper import Keeper
+from ropewalk.live.pictures import picture
+from ropewalk.live.recorded import Recorded
+from ropewalk.live.replay import ReplayBroadcast
+from ropewalk.live.session import Session
+from ropewalk.record.result import Result
+
+FRAMES = 60
+TOLD = ("energy_off", "energy_turned")
+
+
+def told(scalars: dict[str, float]) -> list[float]:
+    """Return error and what was turned over [J]."""
+    return [scalars[name] for name in TOLD]
+
+
+def swing() -> Session:
+    """Return a session of a rope that swings, with steps that lose much of its energy."""
+    scene = slack_rope(8)
+    run = scene.run.replace(method="implicit-euler", time_step=0.02, frame_rate=50.0)
+    return Session(scene.replace(run=run))
+
+
+def test_who_comes_late_is_told_what_was_turned_over() -> None:
+    """It took the first frame that it saw for the begin, and the error from the begin on."""
+    session, watched = swing(), []
+    late = swing()
+    for _ in range(FRAMES):
+        session.advance(session.frame_steps)
+        watched.append(picture(session.main).scalars)
+    late.advance(FRAMES * late.frame_steps)
+    seen = picture(late.main).scalars
+    assert told(seen) == told(watched[-1])
+    assert seen["energy_off"] == max(abs(one["energy_error"]) for one in watched) > 1.0
+    eased = watched[0]["elastic"] - min(one["elastic"] for one in watched)
+    assert seen["energy_turned"] > 10.0 * eased  # most of it before the first frame
+
+
+def test_it_goes_back_with_the_session_and_begins_anew_with_a_step_or_a_reset() -> None:
+    session = swing()
+    session.advance(4 * session.frame_steps)
+    do(session, "kick", node=5, velocity=[0.0, 2.0, 1.0])
+    before = told(picture(session.main).scalars)
+    session.advance(4 * session.frame_steps)
+    assert told(picture(session.main).scalars) != before
+    do(session, "undo")
+    assert told(picture(session.main).scalars) == before
+    error = picture(session.main).scalars["energy_error"]
+    do(session, "set", name="time_step", value=0.001)
+    session.advance(session.frame_steps)
+    scalars = picture(session.main).scalars
+    assert scalars["energy_off"] < 0.2 * abs(error)
+    assert scalars["energy_turned"] >= before[1]
+    do(session, "reset")
+    assert told(picture(session.main).scalars)[0] == 0.0
+
+
+def test_a_replay_tells_the_same_at_every_frame(tmp_path: Path) -> None:
+    """Of a part that goes on from another, too, wherever one jumps to."""
+    session = swing()
+    keeper = Keeper(session, tmp_path / "run")
+    session.advance(FRAMES * session.frame_steps)
+    first = told(picture(session.main).scalars)
+    do(session, "pin", node=3)
+    session.advance(FRAMES * session.frame_steps)
+    last = told(picture(session.main).scalars)
+    keeper.close()
+    parts = ReplayBroadcast(tmp_path / "run", playing=False).parts
+    assert len(parts) == 2
+    shown = [told(part.again().picture(part.frames - 1).scalars) for part in parts]
+    assert shown[0] == pytest.approx(first, rel=1e-6)
+    assert shown[1] == pytest.approx(last, rel=1e-6)
+    alone = Recorded(Result.open(tmp_path / "run"))
+    assert told(alone.picture(FRAMES).scalars) == pytest.approx(first, rel=1e-6)
