@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 _VALUES = 1_000_000  # numbers of one quantity looked at together
 _LITTLE = 0.5  # [1] of the error as seen at rest
+_LOOKS = 20  # steps and frames to a swing, at least: fewer may see each swing at the same places, or blur it
+_ROUNDING = 1e-6  # [1] of a frame's length
 _STILL = 1e-6  # [1] of the length: what solving leaves of links that go nowhere
 _RESOLVED = (
     0.01  # [1] of the energy turned over: what half the frames may make of the work of inertia
@@ -40,16 +42,21 @@ class Along(NamedTuple):
 
 
 def accelerated_alike(result: Result) -> bool:
-    """Tell whether anchors are all that moves ropes, and accelerate alike, without jumps of velocity."""
-    scene, method = result.scene, METHODS.get(result.plan.method)
+    """Tell whether anchors are all that moves ropes, and swing alike, in steps and frames that follow them.
+
+    A table's way may jump within a step or a frame, with nothing of it to be seen in either.
+    """
+    scene, method, plan = result.scene, METHODS.get(result.plan.method), result.plan
     if method is None or not method.implicit or not scene.anchors or scene.winches or scene.limiter:
         return False
     first = scene.anchors[0].motion
-    smooth = first.kind == "shake" or (first.kind == "orbit" and len(scene.anchors) == 1)
-    smooth |= first.kind == "table" and first.interpolation == "cubic"
+    if not (first.kind == "shake" or (first.kind == "orbit" and len(scene.anchors) == 1)):
+        return False
+    longest = float(np.diff(result.time).max(initial=plan.dt if plan.tolerance is None else 0.0))
+    resolved = longest * abs(first.frequency) * _LOOKS <= 1.0 + _ROUNDING
     acts = any(section_of(law, scene) for law in NODE_LAWS)
     alike = all(one.motion == first and one.release_time is None for one in scene.anchors)
-    return smooth and alike and not (acts or scene.parts or result.ends or result.layout.pulleys)
+    return resolved and alike and not (acts or scene.parts or result.ends or result.layout.pulleys)
 
 
 def seen_along(result: Result) -> Along | None:
