@@ -30,7 +30,7 @@ METHODS = ("implicit-euler", "sdirk2", "esdirk3")
 def from_there(motion: Table, place: tuple[float, float, float]) -> Table:
     """The same motion from another place [m]."""
     places = [tuple(float(c) for c in np.add(place, way)) for way in motion.positions]
-    return motion.model_copy(update={"positions": places})
+    return motion.replace(positions=places)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -27,7 +27,7 @@ def table(kind: str, rate: float, way: tuple[float, float, float]) -> Plane | Bo
     spin, down = Spin(free=True, inertia=HEAVY, rate=rate), 0.1 if kind == "box" else 0.0
     motion = speeding(np.array(way))
     places = [(x, y, z - down) for x, y, z in motion.positions]
-    motion = motion.model_copy(update={"positions": places})
+    motion = motion.replace(positions=places)
     if kind == "plane":
         return Plane(name="table", friction=MU, spin=spin, motion=motion)
     return Box(
