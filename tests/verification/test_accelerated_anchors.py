@@ -10,18 +10,26 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.lowering import build
 from ropewalk.record.result import Result
 from ropewalk.scene import (
     Anchor,
     Contact,
+    Fixed,
+    Joint,
     Load,
     Material,
+    Orbit,
     Rope,
     RunSettings,
     Scene,
+    Shake,
     Straight,
     Table,
+    Tie,
+    Velocity,
 )
+from ropewalk.scene.motions import Motion
 from verification.test_accelerated_obstacles import FRAME, MU, g, speeding
 
 METHODS = ("implicit-euler", "sdirk2", "esdirk3")
@@ -98,3 +106,52 @@ def test_above_the_limit_it_is_left_behind_by_what_is_beyond(method: str) -> Non
     over = (result.positions[:, -2:] - result.positions[:, :1])[late][..., 0].mean(axis=1)
     found = np.diff(over, n=2).mean() / FRAME**2
     assert found == pytest.approx(-0.05 * MU * g, rel=0.02)
+
+
+@pytest.mark.parametrize("where", ["both ends", "one end"])
+def test_a_rope_whose_ends_go_round_each_other_pulls_by_its_stretch(where: str) -> None:
+    """Held by who is led towards the middle of the circle it pulled its anchors by 166 N for 199."""
+    length, EA, line, f = 1.0, 1e5, 0.01, 1.0
+    middle = (0.5, 0.0, 0.0) if where == "both ends" else (0.0, 0.0, 0.0)
+    round_it = Orbit(center=middle, axis=(0, 0, 1), frequency=f)
+    rope = Rope(
+        segments=1, length=length, made_of=Material(EA=EA, mass_per_length=line),
+        shape=Straight(start=(0, 0, 0), end=(1.002, 0, 0)),
+    )  # fmt: skip
+    first = Anchor(name="first", node=0, motion=round_it if where == "both ends" else Fixed())
+    anchors = [first, Anchor(name="last", node=1, motion=round_it)]
+    run = RunSettings(duration=1.0, method="sdirk2", time_step=FRAME, frame_rate=60.0)
+    result = rw.simulate(Scene(ropes=[rope], anchors=anchors, gravity=(0, 0, 0), run=run))
+    pull = np.linalg.norm(result.reactions[result.time > 0.2], axis=2).mean(axis=0)
+    arm = 1.002 * (0.5 if where == "both ends" else 1.0)
+    inertia = 0.5 * line * length * arm * (2.0 * np.pi * f) ** 2
+    assert pull[1] == pytest.approx(0.002 * EA - inertia, rel=0.01)
+    assert abs(result.energy_error).max() < 0.02  # [J]; 4.6 in a second when led
+
+
+@pytest.mark.parametrize(
+    ("motions", "alike"),
+    [
+        ((Shake(axis=(1, 0, 0), amplitude=0.1, frequency=1.0),) * 2, True),
+        ((Shake(axis=(1, 0, 0), amplitude=0.1, frequency=1.0), Fixed()), False),
+        ((Orbit(center=(0, 1, 0), axis=(0, 0, 1), frequency=1.0),) * 2, False),
+        ((Velocity(velocity=(1, 0, 0)), Velocity(velocity=(1, 0, 0))), True),
+        ((Velocity(velocity=(1, 0, 0)), Velocity(velocity=(0, 1, 0))), False),
+    ],
+)
+def test_who_goes_alike(motions: tuple[Motion, Motion], alike: bool) -> None:
+    """By ropes that hang together; what holds another rope does not count."""
+    ropes = [
+        Rope(
+            name=name, segments=1, length=1.0, made_of=Material(EA=1e4, mass_per_length=0.1),
+            shape=Straight(start=(x, 0, 0), end=(x + 1.0, 0, 0)),
+        )
+        for name, x in (("a", 0.0), ("b", 1.0), ("c", 5.0))
+    ]  # fmt: skip
+    places = (("a", 0, motions[0]), ("b", 1, motions[1]), ("c", 0, Fixed()))
+    anchors = [Anchor(rope=rope, node=node, motion=motion) for rope, node, motion in places]
+    joint = Joint(points=[Tie(rope="a", node=1), Tie(rope="b", node=0)])
+    apart = build(Scene(ropes=ropes, anchors=anchors))
+    tied = build(Scene(ropes=ropes, anchors=anchors, joints=[joint]))
+    assert apart.system.anchors.alike.tolist() == [1, 1, 1]
+    assert tied.system.anchors.alike.tolist() == [alike, alike, 1]

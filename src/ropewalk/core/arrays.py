@@ -47,6 +47,7 @@ class Anchors(NamedTuple):
     table_rows: Ints  # (a,)
     table: Floats  # (rows, 13) time, then cubic coefficients of x, y, z
     order: Ints  # (a,) rows by the node they hold at the start
+    alike: Ints  # (a,) whether it goes as all go that hold the same ropes
 
 
 class Winches(NamedTuple):

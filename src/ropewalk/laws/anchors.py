@@ -71,9 +71,10 @@ def stage_target(system, state, row, t, ahead, end, h, x, v):
     to `end` of `h` [s], 0: it is none.
 
     There it has the place P and the velocity U that its method would give what goes with the anchor, see
-    `obstacle_lead`: from its own ones nodes would come to the end with 3.4 times its acceleration.
+    `obstacle_lead`: from its own ones nodes would come to the end with 3.4 times its acceleration. Not where
+    others hold the same ropes and go another way: what is between them would be stretched by P.
     """
-    if h > 0.0:
+    if h > 0.0 and system.anchors.alike[row] == 1:
         off, size, g = 0.0, 0.0, ahead / h
         anchor_target(system, state, row, end, h, x, v)
         for k in range(3):

@@ -24,6 +24,7 @@ from ropewalk.laws.registry import NODE_LAWS, NodeArrays, NodeTables
 from ropewalk.lowering.bending_tables import add_bending, no_bending
 from ropewalk.lowering.dampers import masses_to_stop, suited
 from ropewalk.lowering.elastic_tables import elastic_tables, remembers, said_by, softest
+from ropewalk.lowering.going_alike import going_alike
 from ropewalk.lowering.joint_tables import join, joint_tables
 from ropewalk.lowering.layout import Layout, Span
 from ropewalk.lowering.limiter_order import Order, limiter_order
@@ -237,6 +238,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
     stretch = state.mass, applied, softest(elastic, state.stiffness), state.rest_length
     limiter, tables = scene.limiter, _node_tables(scene, layout, state.mass, keep)
     joints = keep("joints", joint_tables, scene.joints, layout)
+    alike = keep("alike", going_alike, scene.anchors, scene.joints, scene.slides, layout)
     order = keep("limiter order", limiter_order, layout, joints) if limiter is not None else None
     return System(
         gravity=np.array(scene.gravity, dtype=np.float64),
@@ -249,7 +251,7 @@ def _system(scene: Scene, layout: Layout, state: State, keep: Pieces) -> System:
             [law.acts(table) for law, table in zip(NODE_LAWS, tables, strict=True)], np.int64
         ),
         limiter=keep("limiter", _limiter, limiter, order),
-        anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node),
+        anchors=keep("anchors", anchor_tables, scene.anchors, origins, state.anchor_node, alike),
         winches=winch_tables(scene, layout)
         if scene.winches
         else keep("no winches", winches_of, ()),
