@@ -7,14 +7,21 @@ from pathlib import Path
 import pytest
 
 from live.drive import do, slack_rope
+from ropewalk.live.commands import parse
 from ropewalk.live.keeper import Keeper
 from ropewalk.live.pictures import picture
 from ropewalk.live.recorded import Recorded
 from ropewalk.live.replay import ReplayBroadcast
 from ropewalk.live.session import Session
 from ropewalk.record.result import Result
+from ropewalk.record.turnover import share_turned
+from ropewalk.scene.presets import preset
 
 FRAMES = 60
+EDITS = [
+    ("pulley", 66, {"type": "pin", "node": 20}),
+    ("pulley", 66, {"type": "set", "name": "gravity", "value": [0.0, 0.0, -9.0]}),
+]
 TOLD = ("energy_off", "energy_turned")
 
 
@@ -81,3 +88,26 @@ def test_a_replay_tells_the_same_at_every_frame(tmp_path: Path) -> None:
     assert shown[1] == pytest.approx(last, rel=1e-6)
     alone = Recorded(Result.open(tmp_path / "run"))
     assert told(alone.picture(FRAMES).scalars) == pytest.approx(first, rel=1e-6)
+
+
+@pytest.mark.parametrize(("name", "frames", "change"), EDITS)
+def test_it_warns_as_the_table_of_the_run_does(
+    tmp_path: Path, name: str, frames: int, change: dict[str, object]
+) -> None:
+    """Loads on a wheel turn over much by falling, and an edit takes no error back."""
+    session = Session(preset(name), preset=name)
+    keeper = Keeper(session, tmp_path / "run")
+    for _ in range(frames):
+        session.advance(session.frame_steps)
+    first = told(picture(session.main).scalars)
+    session.apply(parse(change), 1)
+    assert told(picture(session.main).scalars)[0] == pytest.approx(first[0])
+    session.advance(4 * session.frame_steps)
+    last = told(picture(session.main).scalars)
+    assert last[0] >= (1.0 - 1e-9) * first[0] > 0.01 * first[1]
+    keeper.close()
+    table = share_turned(Result.open(tmp_path / "run"))
+    assert 100.0 * first[0] / first[1] == pytest.approx(table, rel=0.05)
+    parts = ReplayBroadcast(tmp_path / "run", playing=False).parts
+    assert told(parts[0].picture(parts[0].frames - 1).scalars) == pytest.approx(first, rel=1e-6)
+    assert told(parts[1].picture(parts[1].frames - 1).scalars) == pytest.approx(last, rel=0.01)

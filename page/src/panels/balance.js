@@ -6,11 +6,11 @@ import { h } from "./dom.js";
 
 /** @typedef {import("../session.js").Session} Session */
 
-const TOLD = 0.05; // of what has changed most, much as in the table of a run
+const TOLD = 0.05; // of the energy turned over, as in the table of a run
 const REFRESH = 250; // ms between two changes of the number: faster ones cannot be read
 
-/** The largest error of a variant since its step was chosen, of the largest change of one energy since its begin:
- * the server counts both, so that a page opened late tells what others do. @param {number} off
+/** The largest error of a variant since its step was chosen, of the energy turned over since its begin: the server
+ * counts both, so that a page opened late tells what others do. @param {number} off
  * @param {number} turned [J] */
 export const shareOf = (off, turned) => (off > 0 && turned > 0 ? off / turned : 0);
 
@@ -41,7 +41,7 @@ export class BalanceNote {
     const { label } = layout.variants[worst.v];
     const text = worst.share > TOLD ? balanceText(worst.share, parts.length > 1 ? label : "") : "";
     this.host.title =
-      `${quantity(worst.off, "J")}, that part of what has changed most, is in no law's work: the error of ` +
+      `${quantity(worst.off, "J")}, that part of the energy turned over, is in no law's work: the error of ` +
       "steps. Forces and places are as doubtful. Take a shorter step.";
     this.host.hidden = !text;
     if (this.host.textContent !== text) this.host.textContent = text;

@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from ropewalk.core.arrays import Floats
-from ropewalk.live.energy_off import Balance, frame_by_frame
+from ropewalk.live.carried_pieces import carried_of
+from ropewalk.live.energy_off import Balance, Now, step_of
 from ropewalk.live.frame import Picture, Shape, turns_of
 from ropewalk.live.losses import losses_and_gifts
 from ropewalk.live.recorded_touch import GIVEN, PUT_IN, RecordedTouch
@@ -110,7 +111,10 @@ class Recorded:
         self.carried_error = self.first_energy - (before.first_energy + change)
         self.first_energy = before.first_energy + change
         self.touched.follow(before.touched, frame)
-        self._begin = before.balances[frame]._replace(last=self._error(0)).again()
+        begin, plans = before.balances[frame], (before.result.plan, self.result.plan)
+        if step_of(plans[0]) != step_of(plans[1]):
+            begin = begin._replace(last=self._error(0) - begin.carried.fallen).again()
+        self._begin = begin
 
     @cached_property
     def balances(self) -> list[Balance]:
@@ -123,13 +127,21 @@ class Recorded:
         given += self.given(self.result.read("time"))
         if self._weight_turns:
             given -= unaccounted(self.result.read(PULLEYS))
-        elastic, rubbed = energy[:, 2:].sum(axis=1), self.touched.rubbed_until_each()
-        gravity = energy[:, 1] - self._first_gravity
-        return frame_by_frame(
-            self._begin or Balance.begun(float(elastic[0])),
-            np.column_stack((energy[:, 0], gravity, elastic, np.abs(rubbed).sum(axis=1))),
-            energy.sum(axis=1) - self.first_energy - given,
+        begin = self._begin or Balance.begun(float(energy[0, 2:].sum()))
+        forms = np.column_stack(
+            (
+                energy[:, 0],
+                energy[:, 1] - self._first_gravity,
+                energy[:, 2:].sum(axis=1),
+                self.touched.taken_until_each(),
+            )
         )
+        errors, found = energy.sum(axis=1) - self.first_energy - given, []
+        carried = carried_of(self.result, begin.carried, self._given + self.given(self.result.time))
+        for row, error, one in zip(forms, errors, carried, strict=True):
+            begin = begin.later(Now(row[0], row[1], row[2], row[3], one), float(error))
+            found.append(begin)
+        return found
 
     def _energy(self, frame: int) -> tuple[Floats, Floats]:
         """Return a frame's energies, and its work by laws and anchors [J]."""

@@ -12,7 +12,7 @@ from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.laws.wheel_rows import RECORDED
 from ropewalk.live.losses import driven_work
-from ropewalk.live.touch import NOTHING, Room, Touch, Wraps, room_of, touch_of, wound_on
+from ropewalk.live.touch import NOTHING, Room, Touch, Wraps, room_of, taken_by, touch_of, wound_on
 from ropewalk.lowering import Model
 from ropewalk.record.contacts import lying, model_of, touching
 from ropewalk.record.quantities import (
@@ -43,11 +43,17 @@ class Works(NamedTuple):
     """What obstacles' drives, and friction of each surface, have done on ropes [J]."""
 
     driven: float
-    rubbed: Floats  # (k,)
+    books: Floats  # (k, 5)
+
+    @property
+    def rubbed(self) -> Floats:
+        """What friction of each surface has done [J], (k,)."""
+        found: Floats = self.books[:, _RUB]
+        return found
 
     def less(self, other: Works) -> Works:
         """Return what more that is than another."""
-        return Works(self.driven - other.driven, self.rubbed - other.rubbed)
+        return Works(self.driven - other.driven, self.books - other.books)
 
 
 class RecordedTouch:
@@ -116,7 +122,9 @@ class RecordedTouch:
     def works_at(self, data: Mapping[str, Floats], row: int) -> Works:
         """Return what drives and friction have done until a frame, that row of `data`; NaN where unknown."""
         if CONTACT_WORK not in data or not self.result.facts.ledger:
-            return Works(math.nan, np.full(len(self.result.layout.surfaces), math.nan))
+            return Works(
+                math.nan, np.full((len(self.result.layout.surfaces), len(ENTRIES)), math.nan)
+            )
         if self.since is None:
             self.since = self._noted(self._frame(0), 0)
         return self._noted(data, row).less(self.since)
@@ -125,20 +133,19 @@ class RecordedTouch:
         """Return what drives and friction have done until a frame."""
         return self.works_at(self._frame(frame), 0)
 
-    def rubbed_until_each(self) -> Floats:
-        """Return what friction of each surface has done until every frame, (frames, k); NaN where unknown."""
+    def taken_until_each(self) -> Floats:
+        """Return what `taken_by` says of every frame [J], (frames,); NaN where that is unknown."""
         until = self.works_until(0)
         if CONTACT_WORK not in self.result.source.names:
-            return np.full((self.result.frames, len(until.rubbed)), math.nan)
-        books = self.result.read(CONTACT_WORK)[..., _RUB]
-        found: Floats = until.rubbed + books - books[0]
-        return found
+            return np.full(self.result.frames, math.nan)
+        books = self.result.read(CONTACT_WORK)
+        return taken_by(until.books + books - books[0], len(self.result.scene.obstacles))
 
     def _noted(self, data: Mapping[str, Floats], row: int) -> Works:
         """Return what the books have of a frame."""
         books = data[CONTACT_WORK][row]
         wheels = data[PULLEYS][row] if PULLEYS in data else np.zeros((0, len(RECORDED)))
-        return Works(driven_work(books[: len(self.result.scene.obstacles)], wheels), books[:, _RUB])
+        return Works(driven_work(books[: len(self.result.scene.obstacles)], wheels), books)
 
     def _frame(self, frame: int) -> dict[str, Floats]:
         """Return what books and wheels there are of a frame, as one row."""

@@ -22,7 +22,7 @@ from ropewalk.simulation.rope_contacts import slots
 MOST_PAIRS = 100  # contacts of ropes on ropes in a frame: the strongest
 MOST_WRAPS = 12  # stretches of ropes on obstacles in a frame: those that carry most
 PAIR, WRAP = 5, 8  # numbers of each
-_RUB = ENTRIES.index("friction")
+_RUB, _MOTOR = ENTRIES.index("friction"), ENTRIES.index("motor")
 _STRAIGHT = 1e-3  # [rad] a rope that turns by less lies straight
 _MOST = 1e30  # of the ratio at slip, which a rope wound many times has beyond all numbers
 _OFTEN = 0.1  # [s] between two looks for wraps while it plays ...
@@ -185,11 +185,31 @@ class Rubbed:
 
     def __init__(self, simulation: Simulation) -> None:
         """Begin now."""
-        self._before = simulation.recording().recording.books[0, :, _RUB].copy()
+        self._before = simulation.recording().recording.books[0].copy()
 
     def until(self, simulation: Simulation, books: Floats) -> Floats:
         """Return it by surface, (k,), from the present books; NaN without a ledger."""
         count = len(simulation.layout.surfaces)
         if not simulation.ledger:
             return np.full(count, np.nan)
-        return books[:count, _RUB] - self._before[:count]
+        found: Floats = books[:count, _RUB] - self._before[:count, _RUB]
+        return found
+
+    def taken(self, simulation: Simulation, books: Floats) -> float:
+        """Return what friction has taken until now of what the ropes had [J], from the present books."""
+        count = len(simulation.layout.surfaces)
+        bodies = len(simulation.scene.obstacles)
+        return float(taken_by(books[:count] - self._before[:count], bodies))
+
+
+def taken_by(books: Floats, bodies: int) -> Floats:
+    """Return what friction has taken of what ropes had [J], (...), of books of surfaces (..., k, 5).
+
+    Of obstacles without what their motors give where that is less: what lies still on a belt loses nothing.
+    """
+    rub, motor = books[..., _RUB], books[..., _MOTOR]
+    on_bodies = rub[..., :bodies].sum(axis=-1)
+    driven = on_bodies + motor[..., :bodies].sum(axis=-1)
+    least = np.minimum(np.abs(on_bodies), np.abs(driven))
+    found: Floats = np.maximum(least, np.abs(rub[..., bodies:].sum(axis=-1)))
+    return found

@@ -17,7 +17,7 @@ from ropewalk.live.carry import carry_over
 from ropewalk.live.changes import same
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
-from ropewalk.live.energy_off import Balance
+from ropewalk.live.energy_off import Balance, step_of
 from ropewalk.live.gaps import Parted, gaps, located, unknown
 from ropewalk.live.hands import CONTROL, Hands, held_around
 from ropewalk.live.losses import driven_work, losses_and_gifts
@@ -167,6 +167,7 @@ class Track:
     def edit(self, change: Edit) -> None:
         """Go over into another scene without a jump. Raises SceneError."""
         before, zero = self.energy - self._on_drums, self._gravity_zero()
+        plan = self.simulation.plan
         made = carry_over(self.simulation, change.scene, change.source, change.parted)
         self.hands.renumber(change.source)
         self._watch(made)
@@ -178,7 +179,8 @@ class Track:
         self.first_energy += shift
         self.first_gravity += shift
         self.edited += self.energy - self._on_drums - before - shift
-        self.balance = self.balance.again()
+        if step_of(made.plan) != step_of(plan):
+            self.balance = self.balance.again()
         self.begun = self.save()
 
     def set(self, name: str, value: Any, rope: str | None = None) -> None:

@@ -35,6 +35,7 @@ from ropewalk.scene.motions import Fixed, Velocity
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
+    from ropewalk.lowering import Layout
     from ropewalk.record.result import Result
     from ropewalk.scene import Scene
 
@@ -247,21 +248,21 @@ def _carried(result: Result, good: int) -> Carried | None:
     for span in (layout.span(winch.rope) for winch in scene.winches):
         fed[span.first : span.last + 1] = True
     still = stands(scene) and not scene.parts
-    if still and not (_loose(_labels(result, live), held) & ~fed).any():
+    if still and not (loose(pieces(scene, layout, live), held) & ~fed).any():
         return None
     mass = masses(layout, tuple(line(rope) for rope in scene.ropes))[0]
     found = Carried(np.zeros(good), np.zeros(good), np.zeros(good))
     free, lands = _falls_freely(result, good), _lands(result, good)
-    wild = np.zeros(layout.nodes, dtype=bool) if free else _loose(_labels(result, live), held)
+    wild = np.zeros(layout.nodes, dtype=bool) if free else loose(pieces(scene, layout, live), held)
     wild |= fed
     for span in (layout.span(name) for end in result.ends for name in end.ropes):
         wild[span.first : span.last + 1] = True  # a rope that broke has no velocity any more
     for first, last in _epochs(result, good, lands):
         live, held = _topology(result, first)
-        labels = _labels(result, live)
-        loose = _loose(labels, held)
-        weight = np.where(loose, mass, held) * ~(loose & wild) * ~fed
-        falls = loose & (free and first < lands) & ~wild
+        labels = pieces(scene, layout, live)
+        off = loose(labels, held)
+        weight = np.where(off, mass, held) * ~(off & wild) * ~fed
+        falls = off & (free and first < lands) & ~wild
         _go_along(result, (first, last), labels, weight, mass, found, falls)
     return found
 
@@ -294,10 +295,9 @@ def _topology(result: Result, frame: int) -> tuple[Bools, Bools]:
     return has_rope(result.layout, rest, lengths), held
 
 
-def _labels(result: Result, live: Bools) -> Ints:
+def pieces(scene: Scene, layout: Layout, live: Bools) -> Ints:
     """Return a number for every node, (n,), the same for all of a piece; joints and slides tie pieces."""
     labels: Ints = np.concatenate(([0], np.cumsum(~live)))
-    scene, layout = result.scene, result.layout
     groups = [[layout.node(tie.node, tie.rope) for tie in one.points] for one in scene.joints]
     groups += [[layout.node(one.node, one.rope), layout.node(0, one.on)] for one in scene.slides]
     for first, *others in groups:
@@ -306,10 +306,10 @@ def _labels(result: Result, live: Bools) -> Ints:
     return np.unique(labels, return_inverse=True)[1]
 
 
-def _loose(labels: Ints, held: Bools) -> Bools:
+def loose(labels: Ints, held: Bools) -> Bools:
     """Tell which nodes are of pieces that no anchor holds, (n,)."""
-    loose: Bools = (np.bincount(labels, weights=held) == 0.0)[labels]
-    return loose
+    free: Bools = (np.bincount(labels, weights=held) == 0.0)[labels]
+    return free
 
 
 def _epochs(result: Result, good: int, lands: int) -> Iterator[tuple[int, int]]:
