@@ -179,6 +179,18 @@ def test_the_period_of_a_table_is_that_of_what_swings_in_it() -> None:
     assert period_of(cubic_rows(corners), math.inf) == math.inf  # steps are cut at each
 
 
+@pytest.mark.parametrize("width", [1e-2, 1e-5, 1e-9])
+def test_a_short_burst_in_a_long_quiet_table_is_looked_at_alone(width: float) -> None:
+    """As many samples as the burst's steps make of the whole table were asked for, beyond all memory.
+
+    Two strokes of a triangle and their rounded ends: their period is of four to five rows, whatever a row is.
+    """
+    times = (0.0, 50.0, *(50.0 + width * np.arange(1, 5)), 100.0)
+    places = [(width * one, 0.0, 0.0) for one in (0, 0, 1, 0, 1, 0, 0)]
+    burst = Table(times=times, positions=places, interpolation="cubic")
+    assert 4.0 * width < period_of(cubic_rows(burst), math.inf) < 5.0 * width
+
+
 def test_contacts_that_brake_farther_ahead_than_a_body_swings_are_told_of() -> None:
     """A plane that never comes nearer than 0.6 m does not throw a rope, with the compliance asked for."""
 

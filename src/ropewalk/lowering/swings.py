@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats
+from ropewalk.core.arrays import Floats, Ints
 from ropewalk.motions.tabulated import cubic_rows
 from ropewalk.scene import Scene, SceneError
 from ropewalk.scene.faults import Fault
@@ -32,6 +32,8 @@ FEW, FEW_OF_ADAPTIVE = 20.0, 8.0
 LEAST = 4.0
 _ROUNDING = 1e-9  # [1]
 _SAMPLES = 8  # to a row of a table
+_MOST = 32.0  # ends of steps in a row that are looked at
+_QUIET = 1e-4  # [1] of all changes of velocity: what rows make that are not looked into, together
 _PHASES = np.arange(4) / 4.0  # of steps against a table
 #: The share of a sine's changes of velocity that `FEW` steps to a swing see: the mean of cos(pi u / FEW).
 _SEEN = FEW / math.pi * math.sin(math.pi / FEW)
@@ -131,37 +133,55 @@ def period_of(rows: Floats, until: float) -> float:
     first = float(rows[0, 0])
     if last <= first or not (rows[:-1, 3::4].any() or rows[:-1, 4::4].any()):
         return math.inf
-    inside = rows[:, 0] < last
-    times = np.append(rows[inside, 0], last)
-    fine = np.interp(
-        np.arange(_SAMPLES * (times.size - 1) + 1) / _SAMPLES, np.arange(times.size), times
-    )
-    total = _changes(rows, fine)
-    step, least = last - first, float(np.diff(rows[:, 0]).min()) / FEW
-    while step > least and _seen(rows, first, last, step) < _SEEN * total:
+    inside = rows[:-1, 0] < last
+    pieces = rows[:-1][inside]
+    ends = np.append(pieces[1:, 0], last)
+    at = np.linspace(0.0, 1.0, _SAMPLES + 1) * (ends - pieces[:, 0])[:, None]
+    own = _changes(pieces, np.repeat(np.arange(len(ends)), _SAMPLES + 1), at.ravel())
+    changes = np.append(own, 0.0).reshape(len(ends), -1)[:, :-1].sum(axis=1)
+    total = float(changes.sum())
+    most = np.where(changes * len(ends) > _QUIET * total, _MOST, 2.0)
+    step, least = last - first, float((ends - pieces[:, 0]).min()) / FEW
+    while step > least and _seen(pieces, ends, most, step) < _SEEN * total:
         step *= 0.5
     low, high = step, 2.0 * step
     for _ in range(_HALVINGS):
         middle = math.sqrt(low * high)
-        if _seen(rows, first, last, middle) < _SEEN * total:
+        if _seen(pieces, ends, most, middle) < _SEEN * total:
             high = middle
         else:
             low = middle
     return FEW * low
 
 
-def _seen(rows: Floats, first: float, last: float, step: float) -> float:
-    """Return what steps of a length [s] see of the changes of velocity [m/s], the mean of phases."""
-    count, found = math.ceil((last - first) / step), 0.0
+def _seen(rows: Floats, ends: Floats, most: Floats, step: float) -> float:
+    """Return what steps of a length [s] see of the changes of velocity [m/s], the mean of phases.
+
+    Of the ends of steps in a row, which is over at `ends` (r,) [s], at most so many as `most` (r,) count:
+    fewer see less, so that no step is found too long.
+    """
+    starts, found = rows[:, 0], 0.0
+    border = np.append(starts, ends[-1]) - starts[0]
     for phase in _PHASES:
-        times = first + (np.arange(count + 1) + phase) * step
-        found += _changes(rows, np.concatenate([[first], times[times < last], [last]]))
+        border_at = np.maximum(np.ceil(border / step - phase), 0.0)
+        count = np.diff(border_at)  # floats: so many as no integer can count, maybe
+        taken = np.minimum(count, most).astype(np.int64)
+        row = np.repeat(np.arange(len(rows)), taken)
+        nth = np.arange(len(row)) - np.repeat(np.cumsum(taken) - taken, taken)
+        stride = (count - 1.0) / np.maximum(taken - 1, 1)
+        number = border_at[row] + np.floor(nth * stride[row])
+        s = (number + phase) * step - border[row]
+        row = np.concatenate([[0], row, [len(rows) - 1]])
+        s = np.concatenate([[0.0], s, [ends[-1] - starts[-1]]])
+        found += float(_changes(rows, row, s).sum())
     return found / _PHASES.size
 
 
-def _changes(rows: Floats, times: Floats) -> float:
-    """Return the sum of all changes of a table's velocity between times (t,) [s] [m/s]."""
-    at = np.clip(np.searchsorted(rows[:, 0], times, side="right") - 1, 0, len(rows) - 2)
-    s = (times - rows[at, 0])[:, None]
-    v = rows[at, 2::4] + s * (2.0 * rows[at, 3::4] + 3.0 * s * rows[at, 4::4])
-    return float(np.linalg.norm(np.diff(v, axis=0), axis=1).sum())
+def _changes(rows: Floats, row: Ints, s: Floats) -> Floats:
+    """Return the changes of a table's velocity (t - 1,) [m/s] between times `s` [s] in rows `row` (t,)."""
+    found = np.zeros(len(s) - 1)
+    for k in range(3):
+        c = rows[:, 4 * k + 2 : 4 * k + 5]
+        v = c[row, 0] + s * (2.0 * c[row, 1] + 3.0 * s * c[row, 2])
+        found += np.diff(v) ** 2
+    return np.sqrt(found)
