@@ -9,18 +9,21 @@ import numpy as np
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
-from ropewalk.record.tension_notes import FASTER, SHORT, SHORT_WITHIN, wave_time
+from ropewalk.record.tension_notes import FASTER, SHORT, SHORT_WITHIN, STEADY, wave_time
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
+
+_STILL = 1e-9  # [1] of a segment in a step: what moves less stands still, but for rounding
 
 
 def speed_note(result: Result, fastest: Extreme) -> str:
     """Say that the largest speed lasts a step or two, of a whip or a wave, and may be too low; else "".
 
     Of steps of one length that follow no wave through a segment. A crack of a rope's end is as short as a
-    wave through its last segments: longer steps round it off, as they do its tension.
+    wave through its last segments: longer steps round it off, as they do its tension. What falls and lands
+    came to its speed slowly.
     """
     plan = result.plan
     if result.status != FINISHED or plan.method not in METHODS or plan.tolerance is not None:
@@ -29,12 +32,18 @@ def speed_note(result: Result, fastest: Extreme) -> str:
     if not fastest.value > 0.0 or not 0 < frame < result.frames:
         return ""
     rope = result.scene.rope_named(result.layout.rope_of(fastest.place)[0])
-    if not plan.dt > FASTER * wave_time(rope):
+    if (
+        not plan.dt > FASTER * wave_time(rope)
+        or fastest.value * plan.dt < _STILL * rope.segment_length
+    ):
         return ""
     last = min(frame + 1, result.frames - 1)
     velocity = result.read("velocities", frame - 1, last + 1)[:, fastest.place]
     shares = np.linalg.norm(velocity[[0, -1]], axis=1) / fastest.value
-    if not shares.min() < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN):
+    if (
+        not shares.min() < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN)
+        or shares[0] > STEADY
+    ):
         return ""
     before, after = (percent(100.0 * float(share)) for share in shares)
     return (

@@ -27,6 +27,7 @@ BLURRED = (
 )
 #: [1] of a peak: with less beside it, in frames that are steps, or hold some, it lasts a step or two.
 SHORT, SHORT_WITHIN = 0.8, 0.6
+STEADY = 0.95  # [1] of a peak one frame before: it came slowly
 FASTER = 2.0  # times that of a wave through a segment: steps that follow nothing of it
 _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 _LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
@@ -78,7 +79,8 @@ def _beside(result: Result, peak: Extreme, frame: int) -> tuple[float, float]:
 def short_note(result: Result, peak: Extreme) -> str:
     """Say that the largest tension lasts a step or two, and may be too low; else "".
 
-    Of steps of one length that follow no wave through a segment.
+    Of steps of one length that follow no wave through a segment. What came slowly is no such peak, however
+    soon it ends: a rope that is let go.
     """
     plan = result.plan
     if result.status != FINISHED or plan.method not in METHODS or plan.tolerance is not None:
@@ -92,7 +94,10 @@ def short_note(result: Result, peak: Extreme) -> str:
     if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
     shares = [there / peak.value for there in _beside(result, peak, frame)]
-    if not min(shares) < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN):
+    if (
+        not min(shares) < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN)
+        or shares[0] > STEADY
+    ):
         return ""
     before, after = (percent(100.0 * max(share, 0.0)) for share in shares)
     return (
