@@ -61,14 +61,17 @@ def test_a_knot_that_is_none_is_told(scene: Scene, words: str) -> None:
     assert words in found[0]
 
 
+_HITCHES = ["clove-hitch", "two-half-hitches", "prusik", "munter", "bollard"]
 _POST = {"radius": 0.02, "start": (0, 0, -0.1), "end": (0, 0, 0.1)}
 
 
-def _about(*bodies: Any, knot: str = "clove-hitch", **sizes: Any) -> Scene:
+def _about(
+    *bodies: Any, knot: str = "clove-hitch", post_radius: float = 0.02, **sizes: Any
+) -> Scene:
     """A hitch for a post of 20 mm, and what is there."""
-    shape = Knot(knot=knot, post_radius=0.02, **sizes)
+    shape = Knot(knot=knot, post_radius=post_radius, **sizes)
     made_of = Material(EA=1e4, mass_per_length=0.08)
-    rope = Rope(segments=140, length=1.4, diameter=0.01, made_of=made_of, shape=shape)
+    rope = Rope(segments=280, length=2.8, diameter=0.01, made_of=made_of, shape=shape)
     run = RunSettings(method="implicit-euler", time_step=0.004)
     return Scene(ropes=[rope], obstacles=bodies, contact=Contact(), run=run)
 
@@ -90,7 +93,7 @@ def test_a_hitch_whose_post_is_elsewhere_is_told(body: Any) -> None:
     assert "no post of about 0.02 m radius stands at its center along its normal" in found
 
 
-@pytest.mark.parametrize("knot", ["clove-hitch", "two-half-hitches", "prusik", "munter", "bollard"])
+@pytest.mark.parametrize("knot", _HITCHES)
 @pytest.mark.parametrize("where", [{}, {"center": (1, 2, 3), "normal": (0, 1, 0.5)}])
 def test_nothing_is_said_of_a_hitch_about_its_post(knot: str, where: dict[str, Any]) -> None:
     """Nor with a ring, a floor besides, or a post that is square, or a little thinner."""
@@ -105,29 +108,71 @@ def test_nothing_is_said_of_a_hitch_about_its_post(knot: str, where: dict[str, A
         assert knot_warnings(build(_about(body, knot=knot))) == []
 
 
+@pytest.mark.parametrize("knot", _HITCHES)
+@pytest.mark.parametrize(
+    ("post_radius", "half_sizes", "edge_radius", "turned"),
+    [
+        (0.0285, (0.02, 0.02, 0.3), 0.003, 0.0),
+        (0.0285, (0.02, 0.02, 0.3), 0.003, 0.4),
+        (0.027, (0.025, 0.01, 0.3), 0.003, 0.0),
+        (0.0255, (0.025, 0.002, 0.3), 0.002, 0.5),
+    ],
+    ids=["square", "square, turned", "flat", "a strip, turned"],
+)
+def test_nothing_is_said_of_a_hitch_about_a_post_that_is_not_round(
+    knot: str, post_radius: float, half_sizes: Any, edge_radius: float, turned: float
+) -> None:
+    """The hitch has to be drawn about its corners; how thick it is about its axis was asked."""
+    bar = Box(
+        center=(0, 0, 0), half_sizes=half_sizes, edge_radius=edge_radius, rotation=(0, 0, turned)
+    )
+    assert knot_warnings(build(_about(bar, knot=knot, post_radius=post_radius))) == []
+    (found,) = knot_warnings(build(_about(bar, knot=knot, post_radius=1.5 * post_radius)))
+    assert f"no post of about {1.5 * post_radius:g} m radius" in found
+
+
+@pytest.mark.parametrize("knot", _HITCHES)
+def test_a_post_that_ends_within_the_turns_is_told(knot: str) -> None:
+    """Those of a prusik go on to five diameters from its middle; one was looked for at each side."""
+    shape = _about(knot=knot).ropes[0].shape
+    assert isinstance(shape, Knot)
+    reach = shape.tied(0.01).reach
+    assert 0.013 < reach < 0.05
+    for half, told in ((reach, False), (reach - 0.01, True)):
+        post = shape.post(2.0 * half)
+        assert bool(knot_warnings(build(_about(post, knot=knot)))) is told
+
+
+def test_a_post_in_two_pieces_is_one() -> None:
+    pieces = [Cylinder(**_POST | {key: (0, 0, 0)}) for key in ("start", "end")]
+    assert knot_warnings(build(_about(*pieces))) == []
+
+
+@pytest.mark.parametrize("knot", _HITCHES)
 @pytest.mark.parametrize(
     ("at", "to", "diameter", "told"),
     [
-        ((0, 0, -0.5), (0, 0, 0.5), 0.034, False),
-        ((-0.02, -0.02, -0.5), (0.02, 0.02, 0.5), 0.034, False),
-        ((0.01, 0, -0.5), (0.01, 0, 0.5), 0.02, False),  # one of two beside each other
-        ((0, 0, -0.5), (0, 0, 0.5), 0.01, True),
-        ((0.5, 0, -0.5), (0.5, 0, 0.5), 0.034, True),
+        ([(0, 0)], [(0, 0)], 0.034, False),
+        ([(-0.001, -0.001)], [(0.001, 0.001)], 0.034, False),
+        ([(0.01, 0), (-0.01, 0)], [(0.01, 0), (-0.01, 0)], 0.02, False),
+        ([(0.01, 0)], [(0.01, 0)], 0.02, True),  # one of two beside each other
+        ([(0, 0)], [(0, 0)], 0.01, True),
+        ([(0.012, 0)], [(0.012, 0)], 0.01, True),
+        ([(0.5, 0)], [(0.5, 0)], 0.034, True),
     ],
+    ids=["one", "askew", "two", "one of two", "thin", "thin, aside", "elsewhere"],
 )
-def test_a_hitch_on_another_rope_is_about_that_rope(
-    at: tuple[float, ...], to: tuple[float, ...], diameter: float, told: bool
+def test_a_hitch_on_other_ropes_is_about_those_ropes(
+    knot: str, at: Any, to: Any, diameter: float, told: bool
 ) -> None:
-    scene = _about(knot="prusik")
-    length = math.dist(at, to)
-    main = scene.ropes[0].replace(
-        name="main",
-        length=length,
-        segments=50,
-        diameter=diameter,
-        shape=Straight(start=at, end=to),
-    )
-    scene = scene.replace(ropes=[scene.ropes[0].replace(name="cord"), main])
+    """By how far it was aside a thin one was taken for a thick one."""
+    cord = _about(knot=knot).ropes[0].replace(name="cord")
+    ropes = [cord]
+    for i, (a, b) in enumerate(zip(at, to, strict=True)):
+        start, end = (*a, -0.5), (*b, 0.5)
+        size = {"length": math.dist(start, end), "segments": 50, "diameter": diameter}
+        ropes.append(cord.replace(name=f"main{i}", **size, shape=Straight(start=start, end=end)))
+    scene = _about().replace(ropes=ropes)
     assert bool(knot_warnings(build(scene))) is told
 
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ropewalk.knots.tying import named
-from ropewalk.laws.obstacle_places import surface_near
+from ropewalk.laws.obstacle_places import gaps
 from ropewalk.lowering import Model
 from ropewalk.scene import Knot, Rope
 
@@ -16,8 +17,8 @@ if TYPE_CHECKING:
 
 _PAIRS = ("reef", "granny")
 _NO_CROSSING = "bollard"  # its turns lie beside each other
-_THINNER = 0.75  # of the radius a hitch is tied for: what is about that thick [1]
-_ASKEW = 0.8  # cosine of the angle between a post that is a rope, and where it should go
+_THINNER = 0.75  # of the width a hitch is tied for: what is about that thick [1]
+_ABOUT = 48  # places about its post; even
 
 
 def knot_warnings(model: Model) -> list[str]:
@@ -43,35 +44,55 @@ def _without_post(model: Model, rope: Rope, shape: Knot) -> list[str]:
     """Return what is to be told of a hitch that is tied about nothing, or about what is thinner."""
     if not model.scene.obstacles and len(model.scene.ropes) == 1:
         return ["but there is no post; add it as an obstacle (`shape.post()`)"]
-    axis, radius = shape.axis(rope.diameter), shape.post_radius or 0.0
-    table = model.system.node.obstacle
-    deep = [
-        min(-float(surface_near(table, row, place)[0]) for place in axis)
-        for row in range(len(model.scene.obstacles))
+    radius = shape.post_radius or 0.0
+    if _widest(model, rope, shape.sections(rope.diameter, _ABOUT)) >= 2.0 * _THINNER * radius:
+        return []
+    return [
+        f"but no post of about {radius:g} m radius stands at its center along its normal, all through its "
+        "turns: it is tied about nothing, or slack about what is thinner; put one there as an obstacle "
+        "(`shape.post()`)"
     ]
-    x = model.state.x
-    deep += [
-        _thick(x[:, span.first : span.last + 1].T, 0.5 * other.diameter, axis, radius)
+
+
+def _widest(model: Model, rope: Rope, sections: Floats) -> float:
+    """Return how wide what stands in a hitch of `rope` is at the least of its sections [m].
+
+    Args:
+        model: of the scene.
+        rope: the one that is tied.
+        sections: see `Knot.sections` [m], (sections, 1 + many, 3).
+
+    The width of a section is that between two lines on both sides of it, the way in which it is greatest: so
+    a flat bar is as wide as it is broad, two ropes as both, and what stands aside as wide as in the middle.
+    It is 2 r less the ways from two opposite places of the circle of radius r to what is nearest, exact where
+    those go along the line between the two; 0 or less if nothing is there. What reaches the circle from
+    outside only is nothing that the hitch is about.
+    """
+    places, many = sections.reshape(-1, 3), sections.shape[1] - 1
+    away = list(gaps(model.system.node.obstacle, np.ascontiguousarray(places.T)))
+    away += [
+        _from_rope(model.state.x[:, span.first : span.last + 1].T, places) - 0.5 * other.diameter
         for other, span in zip(model.scene.ropes, model.layout.ropes, strict=True)
         if other is not rope
     ]
-    if max(deep) >= _THINNER * radius:
-        return []
-    return [
-        f"but no post of about {radius:g} m radius stands at its center along its normal: it is tied about "
-        "nothing, or slack about what is thinner; put one there as an obstacle (`shape.post()`)"
-    ]
+    by_section = np.reshape(away, (-1, len(sections), 1 + many))
+    radius = float(np.linalg.norm(sections[0, 1] - sections[0, 0]))
+    within = by_section[:, :, :1] < radius
+    nearest = np.where(within, by_section[:, :, 1:], 2.0 * radius).min(axis=0)
+    both = nearest[:, : many // 2] + nearest[:, many // 2 :]
+    return float((2.0 * radius - both.min(axis=1)).min())
 
 
-def _thick(nodes: Floats, half: float, axis: Floats, radius: float) -> float:
-    """Return how thick a post a rope is that is so thick [m] and goes through a hitch of that radius [m].
+def _from_rope(nodes: Floats, places: Floats) -> Floats:
+    """Return how far places (n, 3) are from the middle line of a rope with nodes (m, 3) [m], (n,).
 
-    How far it reaches from the middle of the hitch's axis (3, 3); 0 of one that goes by, or across.
+    Segments that are farther from all of them than they are from each other are left out; inf without any.
     """
-    ways, from_first = np.diff(nodes, axis=0), axis[1] - nodes[:-1]
-    along = np.einsum("ij,ij->i", from_first, ways) / np.einsum("ij,ij->i", ways, ways)
-    off = np.linalg.norm(from_first - np.clip(along, 0.0, 1.0)[:, None] * ways, axis=1)
-    k, straight = int(np.argmin(off)), axis[2] - axis[0]
-    size = float(np.linalg.norm(ways[k]) * np.linalg.norm(straight))
-    through = off[k] <= radius and abs(float(ways[k] @ straight)) >= _ASKEW * size
-    return float(off[k]) + half if through else 0.0
+    ways, middle = np.diff(nodes, axis=0), places.mean(axis=0)
+    size = 3.0 * np.linalg.norm(places - middle, axis=1).max()
+    near = np.linalg.norm(nodes[:-1] - middle, axis=1) <= size + np.linalg.norm(ways, axis=1)
+    ways, from_first = ways[near], places[:, None, :] - nodes[:-1][near]
+    square = np.maximum(np.einsum("ij,ij->i", ways, ways), 1e-300)
+    along = np.clip(np.einsum("kij,ij->ki", from_first, ways) / square, 0.0, 1.0)
+    off = np.linalg.norm(from_first - along[:, :, None] * ways, axis=2)
+    return np.asarray(off.min(axis=1, initial=math.inf))

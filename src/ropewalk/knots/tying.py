@@ -30,6 +30,7 @@ _TWO = ("reef", "granny")
 _ALONG = np.array([1.0, 0.0, 0.0])
 _HALF_TURN = np.array([-1.0, 1.0, -1.0])  # about y
 MOST_SLACK = 4.0
+LEAST, MOST = 1e-12, 1e6  # diameter [m]: as in a scene, and where curves are exact to 1e-10 of it
 THICKEST, THINNEST = 50.0, 0.4  # radius of a post over the rope's diameter
 MOST_TURNS = 50.0
 WIDEST = 1e5  # radius of a ring over the rope's diameter
@@ -42,7 +43,9 @@ def names() -> tuple[str, ...]:
 
 
 def named(name: str) -> str:
-    """Return a knot with its article."""
+    """Return a knot with its article; hitches that are two have none."""
+    if name.startswith("two-"):
+        return name
     return f"an {name}" if name[0] == "o" else f"a {name}"
 
 
@@ -62,6 +65,7 @@ class Tied:
         0.0,
         0.0,
     )  # of the straight ends, what the knot is tied about [m]
+    reach: float = 0.0  # of the turns along the post to each side, half the rope with it [m]
 
     @property
     def ropes(self) -> int:
@@ -184,8 +188,10 @@ def faults(
     Without a diameter [m] only what does not depend on it; `slack` [1], radii [m] and `turns` [1] of `name`.
     """
     found: list[tuple[str, float | None, str]] = []
-    if diameter is not None and not 0.0 < diameter < math.inf:
+    if diameter is not None and not diameter > 0.0:
         return [("diameter", diameter, "must be greater than 0")]
+    if diameter is not None and not LEAST <= diameter <= MOST:
+        return [("diameter", diameter, f"must be from {LEAST:g} to {MOST:g} m")]
     if not 1.0 <= slack <= MOST_SLACK:
         found.append(("slack", slack, f"must be from 1 to {MOST_SLACK:g}"))
     if name in KNOTS:
@@ -210,10 +216,12 @@ def faults(
         found.append(("ring_radius", ring_radius, "leave it out: only a munter is tied on a ring"))
     if turns is not None and name not in TURNED:
         found.append(("turns", turns, f"leave it out: only {' and '.join(TURNED)} have them"))
+    elif turns is not None and name == "prusik":
+        if not 1.0 <= turns <= MOST_TURNS or turns % 1.0 != 0.0:
+            rule = f"must be a whole number from 1 to {MOST_TURNS:g} for a prusik"
+            found.append(("turns", turns, rule))
     elif turns is not None and not 0.5 <= turns <= MOST_TURNS:
         found.append(("turns", turns, f"must be from 0.5 to {MOST_TURNS:g}"))
-    elif turns is not None and name == "prusik" and turns % 1.0 != 0.0:
-        found.append(("turns", turns, "must be a whole number for a prusik"))
     return found
 
 
@@ -260,13 +268,16 @@ def _tied(name: str, diameter: float, slack: float, post: float, ring: float, tu
             # within a ring turns are nearer to each other than on a straight bar
             room = 1.0 if ring == 0.0 else 1.0 / (1.0 - rho * diameter / ring)
             points, last = hitches.munter(rho, gap * room), -_ALONG
-            points = hitches.bent(points, ring / diameter) if ring > 0.0 else points
         case _:
             points = hitches.bollard(rho, gap, turns or 2.0)
             angle = 2.0 * math.pi * (turns or 2.0)
             last = np.array([math.cos(angle), math.sin(angle), 0.0])
+    about = np.hypot(points[:, 0], points[:, 1]) < rho + 0.5
+    reach = diameter * (0.5 + float(np.abs(points[about, 2]).max()))
+    points = hitches.bent(points, ring / diameter) if ring > 0.0 else points
     curve = Curve(points * diameter, first, last)
-    return Tied(name, diameter, (curve,), post, ring, (diameter * inside[0], diameter * inside[1]))
+    ends = (diameter * inside[0], diameter * inside[1])
+    return Tied(name, diameter, (curve,), post, ring, ends, reach)
 
 
 def _free(name: str, size: float) -> tuple[Curve, ...]:

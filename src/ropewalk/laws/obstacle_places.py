@@ -25,9 +25,14 @@ def depths(obstacles: Obstacles, x: Floats, t: float = 0.0) -> Floats:
 
     Negative outside.
     """
+    return np.asarray(obstacles.thickness - gaps(obstacles, x, t))
+
+
+def gaps(obstacles: Obstacles, x: Floats, t: float = 0.0) -> Floats:
+    """Return the distances of places (3, n) [m] to every obstacle at time `t` [s], (k, n) [m]."""
     found = np.empty((len(obstacles.kind), x.shape[1]))
     find_gaps(x, obstacles, t, found)
-    return obstacles.thickness - found
+    return found
 
 
 def surface_near(obstacles: Obstacles, row: int, place: Floats, t: float = 0.0) -> Any:

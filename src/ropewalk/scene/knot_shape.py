@@ -9,7 +9,16 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from ropewalk.knots.tying import MOST_SLACK, Tied, faults, knot, named
-from ropewalk.scene.base import Number, Vector, Whole, positive, quantity, refuse, vector
+from ropewalk.scene.base import (
+    Number,
+    Vector,
+    Whole,
+    not_negative,
+    positive,
+    quantity,
+    refuse,
+    vector,
+)
 from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.obstacles import Cylinder, Torus
 from ropewalk.scene.shape_model import ShapeModel
@@ -65,7 +74,7 @@ class Knot(ShapeModel):
     normal: Vector = vector(
         "Axis of the post; what a knot without a post lies across", "1", default=(0, 0, 1)
     )
-    first_end: Number | None = positive(
+    first_end: Number | None = not_negative(
         "Length of the straight end at the rope's start; by default both are as long",
         "m",
         default=None,
@@ -118,7 +127,7 @@ class Knot(ShapeModel):
         """Return what keeps a rope of that diameter and length [m] from being tied in it."""
         sizes: tuple[Any, ...] = tuple(getattr(self, key) for key in _SIZES)
         found = [
-            Fault(f"shape.{path}", value, rule)
+            Fault(path if path == "diameter" else f"shape.{path}", value, rule)
             for path, value, rule in faults(self.knot, diameter, *sizes)
         ]
         if found:
@@ -133,37 +142,49 @@ class Knot(ShapeModel):
             length: of a straight post [m], its middle at `center`; also a text, such as "30 cm".
             fields: others of the obstacle, such as `friction` or `name`.
 
-        Raises ValueError for a knot without a post, and SceneError for a length that is none.
+        Raises ValueError for a knot without a post and for fields that the shape gives itself, and SceneError
+        for a length that is none.
         """
         length = given("length", length, "m")
         across = self._across()
         if self.post_radius is None or across is None:
             raise ValueError(f"knot: {self.knot} - has no post")
-        _, y, z = across
-        center = np.array(self.center, float)
-        if self.ring_radius is not None:
-            middle = center + self.ring_radius * y
-            return Torus(
-                center=middle.tolist(),
-                axis=across[0].tolist(),
-                radius=self.ring_radius,
-                bar_radius=self.post_radius,
-                **fields,
+        x, y, z = across
+        center, ring = np.array(self.center, float), self.ring_radius
+        own: dict[str, Any] = {"radius": self.post_radius}
+        kind: type[Cylinder | Torus] = Cylinder
+        if ring is None:
+            own["start"], own["end"] = (
+                (center - 0.5 * length * z).tolist(),
+                (center + 0.5 * length * z).tolist(),
             )
-        start, end = center - 0.5 * length * z, center + 0.5 * length * z
-        return Cylinder(start=start.tolist(), end=end.tolist(), radius=self.post_radius, **fields)
+        else:
+            kind, own = Torus, {"radius": ring, "bar_radius": self.post_radius, "axis": x.tolist()}
+            own["center"] = (center + ring * y).tolist()
+        for name in own:
+            if name in fields:
+                raise ValueError(f"{name}: {fields[name]!r} - leave it out: the shape gives it")
+        return kind(**own, **fields)
 
-    def axis(self, reach: float) -> Floats:
-        """Return places on what a hitch is tied about [m], (3, 3): its middle, and so far to each side.
+    def sections(self, diameter: float, many: int) -> Floats:
+        """Return where the surface of a hitch's post is to be [m], (3, 1 + many, 3), by the rope's diameter.
 
-        The middle is the second; along the bar of a ring where it has one.
+        At the middle of its turns and at both ends of them: the place on the post's axis, and `many` about
+        it. Along the bar of a ring where it has one.
         """
-        _, y, z = cast("Floats", self._across())
-        steps, ring = np.array([-reach, 0.0, reach]), self.ring_radius
-        bent = [(0.0, s) for s in steps]
-        if ring is not None:
-            bent = [(ring * (1.0 - np.cos(s / ring)), ring * np.sin(s / ring)) for s in steps]
-        return np.asarray(np.array(self.center) + np.array(bent) @ np.array([y, z]))
+        x, y, z = cast("Floats", self._across())
+        reach, ring = self.tied(diameter).reach, self.ring_radius
+        angles = 2.0 * np.pi * np.arange(many)[:, None] / many
+        found = []
+        for way in (-reach, 0.0, reach):
+            middle, outwards = np.array(self.center) + way * z, y
+            if ring is not None:
+                turn = way / ring
+                outwards = np.cos(turn) * y - np.sin(turn) * z
+                middle = np.array(self.center) + ring * (y - outwards)
+            circle = np.cos(angles) * x + np.sin(angles) * outwards
+            found.append(np.concatenate([[middle], middle + (self.post_radius or 0.0) * circle]))
+        return np.array(found)
 
     def places(
         self,
