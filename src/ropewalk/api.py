@@ -123,7 +123,7 @@ def modes(
     from ropewalk import vibration
 
     with told_of(scene):
-        return vibration.modes(build(as_scene(scene)), about, count)
+        return vibration.modes(build(as_scene(scene), stepped=False), about, count)
 
 
 def check(source: SceneLike | Model, *, measure: bool = True) -> Check:

@@ -179,6 +179,19 @@ def test_the_period_of_a_table_is_that_of_what_swings_in_it() -> None:
     assert period_of(cubic_rows(corners), math.inf) == math.inf  # steps are cut at each
 
 
+def test_what_takes_no_steps_is_not_refused_for_them() -> None:
+    shake = Shake(axis=ALONG, amplitude=WIDTH, frequency=30.0)
+    still, scene = (
+        held(Shake(axis=ALONG, amplitude=WIDTH, frequency=0.1)),
+        held(shake, time_step=1.0 / 60.0),
+    )
+    assert np.array_equal(rw.equilibrium(scene).positions, rw.equilibrium(still).positions)
+    assert np.array_equal(rw.modes(scene).frequencies, rw.modes(still).frequencies)
+    for stepping in (rw.simulate, rw.Simulation, check):
+        with pytest.raises(SceneError, match="they see another motion"):
+            stepping(scene)
+
+
 @pytest.mark.parametrize("width", [1e-2, 1e-5, 1e-9])
 def test_a_short_burst_in_a_long_quiet_table_is_looked_at_alone(width: float) -> None:
     """As many samples as the burst's steps make of the whole table were asked for, beyond all memory.

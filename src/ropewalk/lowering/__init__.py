@@ -38,13 +38,19 @@ class Model:
 
 
 def build(
-    scene: Scene, pieces: Pieces | None = None, *, drawn: bool = True, endless: bool = False
+    scene: Scene,
+    pieces: Pieces | None = None,
+    *,
+    drawn: bool = True,
+    endless: bool = False,
+    stepped: bool = True,
 ) -> Model:
     """Build a scene. Raises SceneError when it cannot be planned, TypeError for what is no scene.
 
     `pieces` of earlier builds save those that are the same again; the model has the same bits. With `drawn`
     off the ropes get other places than their shapes say, so that joints need not fit those. An `endless`
-    simulation goes on after the run's duration: steps suit what moves then, too.
+    simulation goes on after the run's duration: steps suit what moves then, too. With `stepped` off no steps
+    are taken, as for a shape of rest: they may be too long for what swings.
     """
     if not isinstance(scene, Scene):
         raise TypeError(f"{scene!r} is no scene; rw.preset(name) and rw.load(path) give one")
@@ -59,7 +65,8 @@ def build(
     plan = make_plan(scene, system, state, until)
     step = plan.dt if plan.longest is None else plan.longest
     refuse_fast(scene, system, step, until)
-    refuse_unseen(scene, step, until)
+    if stepped:
+        refuse_unseen(scene, step, until)
     if drawn:
         refuse_releases(scene, system, state, until)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))

@@ -43,7 +43,7 @@ def rest_result(source: Scene | Model) -> Result:
 
 def rest_and_result(source: Scene | Model) -> tuple[Statics, Result]:
     """Return the equilibrium of a scene, and the same as `rest_result` does. Raises as that."""
-    model = source if isinstance(source, Model) else build(source)
+    model = source if isinstance(source, Model) else build(source, stepped=False)
     begun = clock()
     statics = checked_shape(model)
     return statics, as_result(model, statics, clock() - begun)

@@ -87,7 +87,7 @@ def _ran(scene: Scene) -> dict[str, float]:
 
 def rest_numbers(scene: Scene) -> dict[str, float]:
     """Return the same of an equilibrium. Raises SceneError and NoRest as `equilibrium` does."""
-    result, model = equilibrium(scene), build(scene)
+    result, model = equilibrium(scene), build(scene, stepped=False)
     spans = rest_spans(model, result.positions[0], result.tension[0])
     sizes = np.linalg.norm(result.reactions[0], axis=1)
     return {

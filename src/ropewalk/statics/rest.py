@@ -133,7 +133,7 @@ def static_shape(source: Scene | Model, *, strict: bool = True) -> Statics:
 
     Raises SceneError for rigid links that do not reach, NoRest when Newton's method finds no shape.
     """
-    model = source if isinstance(source, Model) else build(source)
+    model = source if isinstance(source, Model) else build(source, stepped=False)
     if strict:
         model = turned_to_rest(model, _looked_at)
     balance = Balance(model)
@@ -166,7 +166,7 @@ def checked_shape(source: Scene | Model) -> Statics:
 
     Raises SceneError with what is missing, and what `static_shape` raises.
     """
-    model = source if isinstance(source, Model) else build(source)
+    model = source if isinstance(source, Model) else build(source, stepped=False)
     refuse_impossible(model)
     found = static_shape(model)
     refuse_loose(model, found.positions, found.tension, found.left)

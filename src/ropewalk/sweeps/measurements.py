@@ -213,7 +213,7 @@ class _Swing(Measurement):
     ) -> Floats:
         from ropewalk.vibration import modes
 
-        found = modes(build(scene), count=self.mode).frequencies
+        found = modes(build(scene, stepped=False), count=self.mode).frequencies
         if self.mode > len(found):
             raise InputError("swing.mode", self.mode, f"there are {len(found)} modes")
         return np.full(self.values.shape, 1.0 / found[self.mode - 1])

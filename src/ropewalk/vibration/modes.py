@@ -162,7 +162,7 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         raise ValueError(f'about: {about!r} - must be "equilibrium" or "start"')
     if count < 1:
         raise ValueError(f"count: {count!r} - must be at least 1")
-    model = source if isinstance(source, Model) else build(source)
+    model = source if isinstance(source, Model) else build(source, stepped=False)
     wheels = [row for row, body in enumerate(model.scene.obstacles) if is_free(body)]
     if wheels and about == "start":
         rule = (

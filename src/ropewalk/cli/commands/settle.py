@@ -57,7 +57,7 @@ def settle(
         from ropewalk.statics.wraps import MANY, coarse_words
 
         with telling_of_compiling():
-            model = build(loaded)
+            model = build(loaded, stepped=False)
             rest, result = rest_and_result(model)
             spans = rest_spans(model, result.positions[0], result.tension[0], rest.left)
         if output is not None:
