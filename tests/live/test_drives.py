@@ -110,7 +110,7 @@ def kept(folder: Path, interval: float) -> tuple[Picture, list[Recorded]]:
     return picture(session.main), ReplayBroadcast(folder, playing=False).parts
 
 
-@pytest.mark.parametrize("often", [0.3, 1.1])  # so often that no part begins, and seldom
+@pytest.mark.parametrize("often", [0.15, 1.1])  # so often that no part begins, and seldom
 def test_a_replay_tells_what_a_session_does_though_constants_change_while_a_drum_drives(
     often: float, tmp_path: Path
 ) -> None:

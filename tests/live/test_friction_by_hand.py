@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from live.drive import do, r4, refused
 from ropewalk.live.describe import parameters
+from ropewalk.live.keeper import QUIET, Keeper, parts
 from ropewalk.live.session import Session
+from ropewalk.record.result import Result
 from ropewalk.scene import Contact, Material, Plane, Points, Rope, RunSettings, Scene
 from ropewalk.scene.presets import preset
 from ropewalk.scene.rubbing import Pair
@@ -55,6 +58,22 @@ def test_with_less_friction_a_rope_slides_by_coulombs_law_and_with_more_it_stops
     assert np.abs(session.main.simulation.velocities @ DOWN).max() < 1e-3
     do(session, "set", name="obstacle_friction", value=None)
     assert told(session)["obstacle_friction"] == 0.5
+
+
+def test_a_replay_has_the_last_friction_of_a_drag_soon_after_it(tmp_path: Path) -> None:
+    """For half a second it told a rope that slid that friction of before held it."""
+    session = Session(on_a_slope())
+    keeper = Keeper(session, tmp_path / "run")
+    for friction in (0.4, 0.1):
+        session.advance(2 * session.frame_steps)
+        do(session, "set", name="obstacle_friction", value=friction)
+    changed = session.time
+    session.advance(round(1.5 * QUIET / session.main.dt))
+    keeper.close()
+    found = [Result.open(folder) for folder in parts(tmp_path / "run")]
+    assert [one.scene.obstacles[0].friction for one in found] == [0.5, 0.4, 0.1]
+    last = found[-1].time[0] - changed
+    assert last < QUIET + 2.0 * session.loaded.run.frame_interval
 
 
 def test_ropes_on_ropes_have_a_number_of_their_own() -> None:

@@ -47,6 +47,7 @@ _BYTES_OF_A_NODE = 112  # and its segment, in a frame of all quantities: 72 and 
 MOST_PARTS = 1000
 MOST_BY_CONSTANTS = 500  # parts beyond which changed constants alone begin none
 SETTLED = 0.5  # [s] simulated from one part to the next, where constants change on and on
+QUIET = 0.1  # [s] simulated without a further change, after which they begin a part at once
 _JUMPS = frozenset(["reset", "scene", "back", "undo", "remedy"])
 _LAST = 600.0  # [s] for what is left to be written at the end, of a machine that is very slow
 
@@ -85,6 +86,7 @@ class Keeper:
         self._layout: Layout | None = None
         self._scene = self._seen = session.main.scene  # when the part began, at the last command
         self._due = False  # more than constants has changed since the part began
+        self._latest, self._since = self._scene, -math.inf  # as it is now, and since when [s]
         self._changed = -math.inf  # [s] when constants alone last began a part
         self._taken: dict[str, tuple[bool, bool]] = {}  # bodies that hands have moved, turned
         self._parted: tuple[Parted, ...] = ()  # what was told of
@@ -140,10 +142,13 @@ class Keeper:
 
     def _has_other_constants(self) -> bool:
         """Tell whether constants, loads, joints are not the part's: a slider makes few parts only."""
-        now = self.session.time
-        if self.session.main.scene is self._scene:
+        now, scene = self.session.time, self.session.main.scene
+        if scene is not self._latest:
+            self._latest, self._since = scene, now
+        if scene is self._scene:
             return False
-        if not self._due and abs(now - self._changed) < SETTLED:
+        quiet = abs(now - self._since) > QUIET - 1e-9
+        if not (self._due or quiet) and abs(now - self._changed) < SETTLED:
             return False
         self._changed = now
         return self._parts < (MOST_PARTS if self._due else MOST_BY_CONSTANTS)
