@@ -23,6 +23,7 @@ from ropewalk.scene import (
     Anchor,
     Box,
     Cylinder,
+    Ground,
     Load,
     Material,
     Plane,
@@ -326,6 +327,21 @@ def test_where_anchor_and_body_are_at_the_release_decides() -> None:
     with pytest.raises(SceneError, match="lets go 35 mm inside"):
         Simulation(let_go(coming))
     assert rw.simulate(let_go(coming, time=0.01)).status == "finished"
+
+
+def test_an_anchor_that_the_ground_stops_lets_go_there() -> None:
+    """Without the ground it would be 0.3 m below what it stands on."""
+    down = Velocity(velocity=(0.0, 0.0, -2.0))
+    below = Plane(name="below", point=(0, 0, -0.3))
+    scene = let_go(below, motion=down, time=0.25).replace(ground=Ground(height=0.0, repulsion=1e4))
+    with pytest.raises(SceneError, match="lets go 105 mm inside obstacle 'below'"):
+        Simulation(scene)
+    stopped = scene.replace(**{"anchor[0].above_ground": True})
+    with pytest.raises(SceneError, match="lets go 105 mm inside"):
+        Simulation(stopped.replace(ground=None))
+    result = rw.simulate(stopped)
+    assert result.status == "finished"
+    assert result.positions[:, 0, 2].min() == pytest.approx(0.0, abs=0.05)
 
 
 def test_a_release_half_a_diameter_inside_is_told_of() -> None:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import State, System
+from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.hardening import stored_under
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import depths
@@ -49,7 +49,7 @@ def releases_inside(scene: Scene, system: System, state: State, until: float) ->
         if time >= until or not math.isfinite(time) or system.anchors.kind[row] == HAND:
             continue
         node = int(state.anchor_node[row])
-        x[:, node] = place_now(system.anchors, row, time)[:3]
+        x[:, node] = _place(system, row, time)
         deep = depths(table, x, time)
         at = np.where(known, deep[:, node], -math.inf)
         body = int(at.argmax())
@@ -57,6 +57,16 @@ def releases_inside(scene: Scene, system: System, state: State, until: float) ->
             stored = float(stored_under(table, deep)[body, node])
             speed = math.sqrt(2.0 * stored / float(state.mass[node]))
             yield Inside(row, body, float(at[body]), speed)
+
+
+def _place(system: System, row: int, time: float) -> Floats:
+    """Return where an anchor is at a time [s], (3,) [m], on the ground where that stops it."""
+    x = np.array(place_now(system.anchors, row, time)[:3])
+    ground = system.node.ground
+    if system.anchors.above_ground[row] and ground.active:
+        up = np.array(ground.up)
+        x += max(0.0, float(ground.height - up @ x)) * up
+    return x
 
 
 def refuse_releases(scene: Scene, system: System, state: State, until: float) -> None:
