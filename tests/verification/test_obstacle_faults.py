@@ -52,7 +52,7 @@ def test_a_rope_that_slides_off_a_table_is_told_so() -> None:
     """It was: no shape of rest was found in 6003 steps, 0.0128 N are left at node 43."""
     scene = preset("edge")
     scene = scene.replace(obstacles=[scene.obstacles[0]], contact=None)  # without its floor
-    with pytest.raises(NoRest, match="there is no rest: the ropes fall past all obstacles"):
+    with pytest.raises(NoRest, match=r"the ropes fall past all obstacles\..* more friction"):
         static_shape(scene)
     # a check gives up earlier, and says how far it saw it go
     trouble = static_shape(scene, strict=False).trouble

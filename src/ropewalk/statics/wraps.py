@@ -127,7 +127,10 @@ def coarse_words(lie: tuple[Wrap, ...]) -> list[str]:
 def going_on_words(lie: tuple[Wrap, ...]) -> str:
     """Return why ropes that touch this at last did not come to rest."""
     if not lie:
-        return "there is no rest: the ropes fall past all obstacles. Hold a node with an anchor"
+        return (
+            "there is no rest: the ropes fall past all obstacles. Hold a node with an anchor or, where they "
+            "slid off one, give it more friction"
+        )
     said = ("there is no rest: the ropes slide or fall on and on", sliding_words(lie))
     return ". ".join(filter(None, said))
 
