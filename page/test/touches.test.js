@@ -106,9 +106,9 @@ test("a turn that holds more than it can by itself has no share of that", () => 
   };
   assert.deepEqual(words(40), [
     "drum: 716°, 2.04 N → 13 mN",
-    "ratio 157, held by ropes on it, too", // was (380 %)
+    "ratio 157, slips at 41.5: held by ropes on it, too", // was (380 %)
   ]);
-  assert.equal(words(80)[1], "ratio 157, more than its turn holds"); // it falls, or bears its own weight
+  assert.equal(words(80)[1], "ratio 157, slips at 41.5: more than its turn holds"); // it falls, or bears its own weight
   const [wrap] = wrapsOf(
     layout,
     part({ wraps: drum, ropeContacts: new Float32Array([30, 1, 0, 0, 1]) }),

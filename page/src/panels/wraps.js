@@ -78,8 +78,8 @@ function holdsText(wrap) {
   if (wrap.slip < 1 + HELD) return `${said}, no friction along it`;
   if (wrap.slip > ENDLESS) return `${said}, slips at none`;
   const share = Math.log(ratio) / Math.log(wrap.slip);
-  if (share > OVER) return `${said}, ${beyond}`;
   const slips = `slips at ${figures(wrap.slip)}`;
+  if (share > OVER) return `${said}, ${slips}: ${beyond}`;
   if (wrap.pressed) return `${said}, ${slips} without the ropes on it`;
   return `${said}, ${slips} (${figures(Number((100 * Math.min(share, 1)).toPrecision(2)))} %)`;
 }
