@@ -18,6 +18,8 @@ ALLOWED = {
     "lowering/motion_rows.py": "above_ground, a field of the scene's anchors",
     "core/arrays.py": "above_ground, the same in the table of anchors",
     "laws/anchors.py": "above_ground, read there",
+    "lowering/going_alike.py": "above_ground, which stops an anchor by itself",
+    "lowering/release_checks.py": "where the ground has stopped an anchor before it lets go",
     "statics/rest.py": "grounded, a field of Statics that users read",
     "statics/refusal.py": "a sentence on what is missing",
     "lowering/chains.py": "'in the air', the name of a case of the bound of the step, which users read",

@@ -195,7 +195,7 @@ def test_only_what_a_parameter_changes_is_made() -> None:
         "rope.made_of.mass_per_length": {"masses", "break stretch"},
         DOWN: {"break stretch", "obstacle", "slide"},  # they bear what hangs on ropes
         "run.duration": set(),
-        "anchor.release_time": {"anchors", "starts", "kinks"},
+        "anchor.release_time": {"alike", "anchors", "starts", "kinks"},
         "rope.diameter": {"air"},
     }
     for path, pieces in wanted.items():
