@@ -9,7 +9,7 @@ import numpy as np
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
-from ropewalk.record.tension_notes import FASTER, SHORT, SHORT_WITHIN, STEADY, wave_time
+from ropewalk.record.tension_notes import FASTER, short_lived, wave_time
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
@@ -40,10 +40,7 @@ def speed_note(result: Result, fastest: Extreme) -> str:
     last = min(frame + 1, result.frames - 1)
     velocity = result.read("velocities", frame - 1, last + 1)[:, fastest.place]
     shares = np.linalg.norm(velocity[[0, -1]], axis=1) / fastest.value
-    if (
-        not shares.min() < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN)
-        or shares[0] > STEADY
-    ):
+    if not short_lived(plan, *shares.tolist()):
         return ""
     before, after = (percent(100.0 * float(share)) for share in shares)
     return (

@@ -18,6 +18,7 @@ from ropewalk.scene.straight_words import straight_words
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
+    from ropewalk.lowering import Plan
     from ropewalk.record.result import Result
 
 JERK = 0.5  # [1] a tension that was less than this part of its peak one frame before it
@@ -76,6 +77,13 @@ def _beside(result: Result, peak: Extreme, frame: int) -> tuple[float, float]:
     return float(there[0]), float(there[-1])
 
 
+def short_lived(plan: Plan, before: float, after: float) -> bool:
+    """Tell whether a peak lasts a step or two, of the shares of it in the frames beside it [1]."""
+    return before <= STEADY and min(before, after) < (
+        SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN
+    )
+
+
 def short_note(result: Result, peak: Extreme) -> str:
     """Say that the largest tension lasts a step or two, and may be too low; else "".
 
@@ -94,10 +102,7 @@ def short_note(result: Result, peak: Extreme) -> str:
     if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
     shares = [there / peak.value for there in _beside(result, peak, frame)]
-    if (
-        not min(shares) < (SHORT if plan.steps_per_frame == 1 else SHORT_WITHIN)
-        or shares[0] > STEADY
-    ):
+    if not short_lived(plan, *shares):
         return ""
     before, after = (percent(100.0 * max(share, 0.0)) for share in shares)
     return (
