@@ -189,10 +189,10 @@ class Stability:
         if self.stable and self.uncovered:
             return f"no bound holds for {self.method} here: {self.uncovered}"
         if self.stable:
-            margin = f"margin {percent(100 * self.margin, 3)}"
             if math.isinf(self.margin):
-                margin = "no limit" + (", for small motions only" if self.rings else "")
-            return f"stable at {at} ({bound}, {margin})"
+                small = ", for small motions only" if self.rings else ""
+                return f"stable at {at} ({self.method} has no limit{small})"
+            return f"stable at {at} ({bound}, margin {percent(100 * self.margin, 3)})"
         if self.breaks and self.case.startswith(_SLACK):
             grows = f"x{self.growth_per_step:.4g} per step"
             if self.growth_per_step < _SLIGHT:

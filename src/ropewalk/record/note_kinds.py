@@ -40,6 +40,7 @@ from ropewalk.record.pressed_rows import pressed_kind
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.record.seen_along import accelerated_alike
 from ropewalk.record.speed_note import speed_note
+from ropewalk.record.sudden_anchors import started_note
 from ropewalk.record.tension_notes import anchor_bears, anchor_note, curve_note, push_note
 from ropewalk.record.too_low import anchor_too_low, margin_too_low, tension_too_low
 from ropewalk.record.turnover import (
@@ -75,6 +76,7 @@ KINDS = {
     "knot": "come or may come nearest in a rope whose breaking load is told without its knot",
     "clamp moment too low": "have a clamp's moment that is too low for the length of the segments",
     "mean anchor force": "have an anchor's force, the mean over a step, less than the tension beside it",
+    "sudden anchor": "have an anchor that starts or stops at once: its largest force is of its own node",
     "end weight": "have an anchor that bears half a segment's weight more than the largest tension",
     "beyond curve": "are stretched to where the curve or the EA of the rope is not its own any more",
     "long segments": "have segments long about an obstacle (see check): ropes may pass between nodes",
@@ -122,6 +124,7 @@ def notes_of_extremes(
         else _both(
             anchor_too_low(result, force, most, landings),
             ("mean anchor force", anchor_note(result, force, most)),
+            ("sudden anchor", started_note(result, force)),
         ),
         "greatest clamp moment": _of_moment(result, found),
         UTILISATION: margin_too_low(result, found[UTILISATION], most)
