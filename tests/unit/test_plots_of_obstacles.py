@@ -90,8 +90,21 @@ def test_the_figure_tells_the_slip_that_tables_and_the_view_tell() -> None:
     (wrap,) = lying(result.scene, result.layout, contacts, result.tension[last])
     assert coil.at_slip == pytest.approx(wrap.at_slip, rel=1e-12)
     assert coil.at_slip < 0.999 * math.exp(coil.friction * coil.angle)
-    notes = " ".join(" ".join(text.get_text().split()) for text in plots.contact(result).texts)
+    figure = plots.contact(result)
+    notes = " ".join(" ".join(text.get_text().split()) for text in figure.texts)
     assert f"slips at {wrap.at_slip:.4g} as it lies" in notes
+
+
+def test_what_friction_would_hold_does_not_flatten_the_tension() -> None:
+    """A wrap of many turns: the dashed line rises to 20 times the tension, the axes to twice."""
+    scene = rw.preset("capstan")
+    drum = scene.obstacles[0].replace(friction=0.9)
+    run = scene.run.replace(duration=0.05)
+    result = rw.simulate(scene.replace(run=run, obstacles=(drum, *scene.obstacles[1:])))
+    largest = result.tension[result.frames - 1].max()
+    (coil,) = coils(result, result.frames - 1)
+    assert coil.held.max() > 10.0 * largest
+    assert plots.contact(result).axes[1].get_ylim()[1] == pytest.approx(2.0 * largest)
 
 
 def test_the_figure_draws_what_was_recorded(slipping: Result) -> None:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 _BARS = ("cylinder", "capsule")  # round which a rope is wound
 _FEWEST = 3  # nodes of a wrap
 _TOLD = 6  # wraps that the note tells of
+_TALL = 2.0  # [1] times the largest tension: how high the axes go
 _MOST_ROPES = 8  # that a legend names
 _SHOWN = (
     0.01  # of the largest force: so much must cancel on a node for the sums to be drawn, too [1]
@@ -107,7 +108,7 @@ def contact(result: Result, time: float | None = None) -> Figure:
     By default the last frame, or the last good one. Along a wrap round a bar the dashed line is
     T0 exp(mu s / R) from the slack side on (Euler, Eytelwein), with how far the recorded rope has turned
     as s / R: a rope that sticks lies below, one that slips on it, but for its weight, which the formula
-    leaves out.
+    leaves out. It leaves the axes at twice the largest tension.
 
     Raises ValueError for a run without recorded contact forces, and for a time outside it.
     """
@@ -191,7 +192,9 @@ def _draw_tension(axes: Axes, result: Result, frame: int, found: list[Coil]) -> 
             label=r"$T_0\, e^{\mu s / R}$, a rope without weight",
         )
         axes.legend(loc="best")
-    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    largest = float(np.nanmax(result.tension[frame], initial=0.0))
+    low, high = axes.get_ylim()  # the dashed line may leave them: tension would be flat beside it
+    axes.set_ylim(min(0.0, low), min(high, _TALL * largest) if largest > 0.0 else high)
     scaled_axis(axes, result.tension_name, "N", max(map(abs, axes.get_ylim())))
     axes.set_xlabel(arc_label(result, [span.name for span in result.layout.ropes]))
 
