@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,7 +10,9 @@ from typing import Any
 
 import pytest
 
+import ropewalk as rw
 from cli.conftest import SCENE
+from ropewalk.sweeps.function import SweepFunction
 
 # A change of the small scene, and what the message must say of it.
 FAULTS = [
@@ -188,6 +191,68 @@ def test_what_is_found_only_when_a_scene_is_built_names_the_file(
         refused(done, said)
         assert "winch 'hoist' may wind a fifth of a segment" in done.stderr
     refused(ropewalk("compare", scene, scene), said)
+
+
+FLOOR = '[[obstacle]]\nname = "floor"\nkind = "plane"\npoint = [0.0, 0.0, 1.0]\n'
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("check",),
+        ("run",),
+        ("run", "--uncertain", "run.duration=0.4..0.5"),
+        ("settle",),
+        ("modes",),
+        ("modes", "--about", "start"),
+        ("view", "--no-browser", "--no-save"),
+        ("sheet",),
+        ("sheet", "--at-rest"),
+        ("sweep", "--vary", "run.duration=0.4,0.5"),
+        ("sweep", "--rest", "--vary", "run.duration=0.4,0.5"),
+        ("compare", "r4"),
+        ("lab", "r4"),
+    ],
+    ids=" ".join,
+)
+def test_every_command_names_the_file_of_what_is_found_when_a_scene_is_built(
+    ropewalk: Any, scene: Path, command: tuple[str, ...]
+) -> None:
+    scene.write_text(scene.read_text() + FLOOR)
+    done = ropewalk(*command, scene)
+    assert done.exit_code == 2, done.output
+    said = [line for line in done.stderr.splitlines() if "inside obstacle 'floor'" in line]
+    assert said
+    for line in said:
+        assert line.removeprefix("error:").strip().startswith(f"{scene}: rope[0].shape: "), line
+
+
+def test_a_scene_without_a_rest_is_named(ropewalk: Any, scene: Path) -> None:
+    falling = scene.read_text().split("[[anchor]]")[0] + FLOOR.replace("1.0]", "-1.0]")
+    scene.write_text(falling.replace("point", "friction = 0.0\nnormal = [0.6, 0.0, 0.8]\npoint"))
+    done = ropewalk("settle", scene)
+    assert done.exit_code == 3
+    assert done.stderr.splitlines()[-1].startswith(f"error: {scene}: there is no rest")
+
+
+@pytest.mark.parametrize(
+    "ask",
+    [
+        rw.simulate,
+        rw.equilibrium,
+        rw.modes,
+        rw.check,
+        rw.sheet,
+        lambda file: rw.sweep(file, {"run.duration": [0.4, 0.5]}),
+        lambda file: rw.uncertain(file, {"run.duration": (0.4, 0.5)}),
+        lambda file: rw.calibrate(file, rw.calibrate.sag(1.0), {"rope.segment_length": (0.4, 0.6)}),
+        lambda file: SweepFunction(file, "run.duration"),
+    ],
+)
+def test_every_function_names_the_file(scene: Path, ask: Any) -> None:
+    scene.write_text(scene.read_text() + FLOOR)
+    with pytest.raises(rw.SceneError, match=f"^{re.escape(str(scene))}: rope"):
+        ask(scene)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ import tempfile
 import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from threading import current_thread, main_thread
 from types import FrameType
@@ -67,6 +67,12 @@ class Settings:
     """What holds for the whole call."""
 
     debug: bool = False
+    scenes: list[str] = field(default_factory=list)  # what the command has loaded, as it was named
+
+    @property
+    def scene(self) -> str | None:
+        """The one scene of the command, None where it has several or none."""
+        return self.scenes[0] if len(self.scenes) == 1 else None
 
 
 class Refusal(click.ClickException):
@@ -83,7 +89,7 @@ def refuse_closed_stdout() -> None:
 
 def report(error: Exception, settings: Settings) -> int:
     """Print the message of an error on stderr; return the exit status."""
-    status, text = explain(error)
+    status, text = explain(error, settings.scene)
     if status == BUG:
         text = f"{text}\n{_keep_traceback(error, settings)}"
     elif settings.debug:
@@ -95,8 +101,11 @@ def report(error: Exception, settings: Settings) -> int:
     return status
 
 
-def explain(error: Exception) -> tuple[int, str]:
-    """Return the exit status and the message of an error."""
+def explain(error: Exception, scene: str | None = None) -> tuple[int, str]:
+    """Return the exit status and the message of an error.
+
+    What is found wrong with a scene only when it is built, or that it has no rest, tells its file or preset.
+    """
     if isinstance(error, click.Abort):
         return INTERRUPTED, "interrupted"
     if isinstance(error, click.UsageError):
@@ -111,14 +120,14 @@ def explain(error: Exception) -> tuple[int, str]:
         text = "not enough memory: take fewer segments, or fewer frames (run.frame_rate)"
         return BAD_INPUT, _error_lines(text)
     if _is_refusal(error):
-        text = str(error)
+        text = str(_named(error, scene))
         for words, flag in _IN_FLAGS.items():
             text = text.replace(words, flag)
         return BAD_INPUT, _error_lines(text)
     for module, failure in (("ropewalk.statics", "NoRest"), ("ropewalk.vibration", "NoModes")):
         known = sys.modules.get(module)
         if known is not None and isinstance(error, getattr(known, failure)):
-            return BROKE, _error_lines(str(error))
+            return BROKE, _error_lines(f"{scene}: {error}" if scene else str(error))
     name = type(error).__name__
     return BUG, f"error in Ropewalk itself: {name}: {error}"
 
@@ -147,6 +156,15 @@ def _is_refusal(error: Exception) -> bool:
         return True
     known = sys.modules.get("ropewalk.record.errors")
     return known is not None and isinstance(error, (known.RunError, known.InputError))
+
+
+def _named(error: Exception, scene: str | None) -> Exception:
+    """Return a refusal that tells of which scene it is; that of a file alone does by itself."""
+    from ropewalk.scene.faults import SceneError
+
+    if isinstance(error, SceneError) and error.source is None:
+        return SceneError(error.faults, scene)
+    return error
 
 
 def _error_lines(text: str) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from ropewalk.cli.failures import Refusal
+from ropewalk.cli.failures import Refusal, Settings
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
@@ -57,6 +57,7 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
     """
     from ropewalk.scene import SceneError, apply_overrides, load, presets
 
+    _loaded().append(source)
     named = source in presets.names() and not Path(source).is_file()
     if named:
         scene = presets.preset(source)
@@ -75,11 +76,18 @@ def load_scene(source: str, overrides: Sequence[str] = (), **run: str | None) ->
 
 @contextmanager
 def named(source: str) -> Iterator[None]:
-    """Give the scene's name to what is found wrong with it only when it is built."""
-    from ropewalk.scene.faults import found_in
-
-    with found_in(source):
+    """Let what goes wrong tell of which of a command's several scenes it is; that of the only one does."""
+    try:
         yield
+    except Exception:
+        _loaded()[:] = [source]
+        raise
+
+
+def _loaded() -> list[str]:
+    """Return the scenes that messages may be of (`failures.explain`), to be changed."""
+    context = click.get_current_context(silent=True)
+    return [] if context is None else context.ensure_object(Settings).scenes
 
 
 def _is_path(source: str) -> bool:

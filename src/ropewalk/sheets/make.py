@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from ropewalk import __version__
-from ropewalk.api import SceneLike, as_scene, simulate
+from ropewalk.api import SceneLike, as_scene, simulate, told_of
 from ropewalk.plots.dimensions import dimensions
 from ropewalk.record.rest import rest_and_result
 from ropewalk.record.result import Result
@@ -59,19 +59,19 @@ def sheet(
     that is not found.
     """
     made, tell = as_scene(scene), progress or (lambda words: None)
-    if uncertain:  # refused now, not after all runs
-        from ropewalk.sweeps.uncertainty import spread_parameters
-
-        spread_parameters(made, uncertain)
-    tell("at rest")
     again = SEE if convergence and at_ends(made) else COMPUTE
-    rest, at_rest, held = _rest(made, again, needed=not run)
-    result = rest
-    if run:
-        tell("the run")
-        result = simulate(made, on_failure="return")
+    with told_of(scene):
+        if uncertain:  # refused now, not after all runs
+            from ropewalk.sweeps.uncertainty import spread_parameters
+
+            spread_parameters(made, uncertain)
+        tell("at rest")
+        rest, at_rest, held = _rest(made, again, needed=not run)
+        if run:
+            tell("the run")
+        ran = simulate(made, on_failure="return") if run else None
+    result = ran or rest
     assert result is not None
-    ran = result if run else None
     ends = stiffness_ends(made, rest, ran, tell) if convergence else None
     trust = _converged(made, result, tell if convergence else None)
     told = doubts(trust) + held + (ends.summary if ends else ())

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ropewalk.api import SceneLike, as_scene
+from ropewalk.api import SceneLike, as_scene, told_of
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import InputError
 from ropewalk.record.note_kinds import BEYOND_LIMITER, kinds_in
@@ -231,8 +231,9 @@ def calibrate(
     loaded = as_scene(scene)
     found = as_measurements(measured)
     _refuse(found, level, starts, seed)
-    scales = make_scales(loaded, ranges)
-    residuals = Residuals(loaded, found, scales, {"on": on, "workers": workers})
+    with told_of(scene):
+        scales = make_scales(loaded, ranges)
+        residuals = Residuals(loaded, found, scales, {"on": on, "workers": workers})
     try:
         share, same = _search(residuals, loaded, starts, seed)
         jacobian = residuals.jacobian(share)

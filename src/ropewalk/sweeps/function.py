@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ropewalk.api import SceneLike, as_scene
+from ropewalk.api import SceneLike, as_scene, told_of
 from ropewalk.core.arrays import Floats
 from ropewalk.record.errors import InputError
 from ropewalk.scene import SceneError
@@ -48,9 +48,10 @@ class SweepFunction:
         check_on("local" if on is None else on)
         loaded = as_scene(scene)
         paths = [names] if isinstance(names, str) else list(names)
-        self.parameters = _at_their_values(loaded, paths)
-        kept = make_keep(keep, bool(loaded.anchors))
-        trial = try_out(loaded, self.parameters, kept, what)
+        with told_of(scene):
+            self.parameters = _at_their_values(loaded, paths)
+            kept = make_keep(keep, bool(loaded.anchors))
+            trial = try_out(loaded, self.parameters, kept, what)
         self.variables = trial.variables
         self.coordinates = trial.coordinates
         self.recipe = make_recipe(loaded, self.parameters, trial.variables, what)

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ropewalk.api import SceneLike, as_scene
+from ropewalk.api import SceneLike, as_scene, told_of
 from ropewalk.core.deferred import clock
 from ropewalk.record.errors import RunError
 from ropewalk.record.facts import provenance
@@ -110,14 +110,15 @@ def sweep(
     KeyboardInterrupt, after which `resume` goes on with what is stored.
     """
     loaded = as_scene(scene)
-    parameters = make_parameters(loaded, vary)
-    given = gives_runs(vary)
-    labels = make_labels(vary, parameters) if given else ()
-    chosen = make_design(parameters, samples, design, seed, given, labels)
-    return make_runs(
-        loaded, chosen, keep, store=store, on=on, workers=workers, what=what, batch=batch,
-        overwrite=overwrite, progress=progress,
-    )  # fmt: skip
+    with told_of(scene):
+        parameters = make_parameters(loaded, vary)
+        given = gives_runs(vary)
+        labels = make_labels(vary, parameters) if given else ()
+        chosen = make_design(parameters, samples, design, seed, given, labels)
+        return make_runs(
+            loaded, chosen, keep, store=store, on=on, workers=workers, what=what, batch=batch,
+            overwrite=overwrite, progress=progress,
+        )  # fmt: skip
 
 
 def make_runs(

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ropewalk.api import SceneLike, as_scene
+from ropewalk.api import SceneLike, as_scene, told_of
 from ropewalk.record.errors import InputError
 from ropewalk.record.note_kinds import kinds_in, noted
 from ropewalk.scene import Scene, SceneError, loads
@@ -139,7 +139,8 @@ def uncertain(
     `sweep`.
     """
     loaded = as_scene(scene)
-    spreads, parameters = spread_parameters(loaded, spreads)
+    with told_of(scene):
+        spreads, parameters = spread_parameters(loaded, spreads)
     refuse_unless_whole("samples", samples, 2)
     if samples > (most := MOST_RUNS // (len(parameters) + 2)):
         raise InputError("samples", samples, f"must be at most {most}")
@@ -148,11 +149,13 @@ def uncertain(
     else:
         seed = int(np.random.SeedSequence().generate_state(1)[0] >> 1)
     kept = [*_default_keep(loaded, what), *(keep or ())]
-    if find_spec("SALib") is None:
-        runs = sweep(loaded, spreads, samples=samples, seed=seed, keep=kept, what=what, **options)
-    else:
-        design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
-        runs = make_runs(loaded, design, kept, what=what, **options)
+    with told_of(scene):
+        if find_spec("SALib") is None:
+            asked: dict[str, Any] = {"samples": samples, "seed": seed, "keep": kept, "what": what}
+            runs = sweep(loaded, spreads, **asked, **options)
+        else:
+            design = Design(SALTELLI, parameters, samples * (len(parameters) + 2), seed)
+            runs = make_runs(loaded, design, kept, what=what, **options)
     return _of_runs(loaded, runs, [parameter.name for parameter in parameters])
 
 

@@ -9,7 +9,7 @@ import click
 from ropewalk.cli.console import print_json, say, warn
 from ropewalk.cli.failures import BROKE
 from ropewalk.cli.progress import telling_of_compiling
-from ropewalk.cli.scene_argument import as_flags, json_option, load_scene, named, run_options
+from ropewalk.cli.scene_argument import as_flags, json_option, load_scene, run_options
 
 if TYPE_CHECKING:
     from ropewalk.analysis.check import Check
@@ -41,7 +41,7 @@ def check(
     from ropewalk.scene.as_given import as_given
 
     loaded = load_scene(scene, overrides, duration=duration, time_step=time_step, method=method)
-    with named(scene), telling_of_compiling():
+    with telling_of_compiling():
         found = check_scene(loaded)
     flags = as_flags(overrides, duration=duration, time_step=time_step)
     given = as_given(scene, loaded, flags)

@@ -12,7 +12,7 @@ from ropewalk.cli.failures import BROKE, INTERRUPTED, Refusal
 from ropewalk.cli.output_files import claimed, refuse_parent, warn_of_left
 from ropewalk.cli.progress import RunProgress, tell_compiling
 from ropewalk.cli.results_table import print_result_json, print_results
-from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.scene_argument import json_option, load_scene, run_options, short_name
 from ropewalk.cli.startup import without_scipy
 from ropewalk.words.shell import typed
 
@@ -99,15 +99,14 @@ def run(
     if output is not None:
         with without_scipy():
             refuse_run(output, overwrite)
-    with named(scene):
-        result, warnings = run_scene(
-            loaded,
-            output,
-            short_name(scene),
-            keep_going=keep_going,
-            overwrite=overwrite,
-            quiet=quiet,
-        )
+    result, warnings = run_scene(
+        loaded,
+        output,
+        short_name(scene),
+        keep_going=keep_going,
+        overwrite=overwrite,
+        quiet=quiet,
+    )
     if overwrite and output is not None and not quiet:
         warn_of_left(output, "run")
     return conclude(result, warnings, as_json=as_json, quiet=quiet)

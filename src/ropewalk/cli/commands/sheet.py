@@ -14,7 +14,6 @@ from ropewalk.cli.scene_argument import (
     as_flags,
     json_option,
     load_scene,
-    named,
     run_options,
     short_name,
 )
@@ -86,17 +85,16 @@ def sheet(
     vary = parse_all("--uncertain", parse_uncertain, spreads)
     if not at_rest:
         tell_compiling(loaded.run.method, loaded)
-    with named(scene):
-        made = make(
-            loaded,
-            run=not at_rest,
-            convergence=not no_convergence,
-            uncertain=vary or None,
-            samples=samples,
-            file=scene,
-            flags=as_flags(overrides, duration=duration, time_step=time_step),
-            progress=None if quiet or as_json else tell,
-        )
+    made = make(
+        loaded,
+        run=not at_rest,
+        convergence=not no_convergence,
+        uncertain=vary or None,
+        samples=samples,
+        file=scene,
+        flags=as_flags(overrides, duration=duration, time_step=time_step),
+        progress=None if quiet or as_json else tell,
+    )
     for path in paths:
         made.save(path)
     if as_json:

@@ -14,7 +14,7 @@ from ropewalk.cli.console import print_json, print_table, say, tell, warn
 from ropewalk.cli.failures import INTERRUPTED, Refusal
 from ropewalk.cli.output_files import claimed, refuse_parent, warn_of_left
 from ropewalk.cli.progress import tell_compiling
-from ropewalk.cli.scene_argument import json_option, load_scene, named, run_options, short_name
+from ropewalk.cli.scene_argument import json_option, load_scene, run_options, short_name
 from ropewalk.words.counts import counted
 from ropewalk.words.shell import typed
 
@@ -108,7 +108,7 @@ def sweep(
         "seed": seed,
     }
     asked |= {"on": on, "workers": workers, "what": "rest" if rest else "run"}
-    with named(scene), claimed(output, SWEEPS, short_name(scene)) as folder, telling():
+    with claimed(output, SWEEPS, short_name(scene)) as folder, telling():
         status = ended(
             folder, lambda: make(loaded, vary, store=folder, overwrite=overwrite, **asked), as_json
         )
