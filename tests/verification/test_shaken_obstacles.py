@@ -22,6 +22,7 @@ from ropewalk.record.note_kinds import kinds
 from ropewalk.scene import (
     Anchor,
     Cylinder,
+    Fixed,
     Material,
     Motion,
     Orbit,
@@ -31,9 +32,12 @@ from ropewalk.scene import (
     Scene,
     SceneError,
     Shake,
+    Sphere,
     Spin,
     Straight,
     Table,
+    Velocity,
+    Winch,
 )
 
 g, MU, MASS, WIDTH = 9.81, 0.3, 0.1, 0.02
@@ -190,6 +194,81 @@ def test_what_takes_no_steps_is_not_refused_for_them() -> None:
     for stepping in (rw.simulate, rw.Simulation, check):
         with pytest.raises(SceneError, match="they see another motion"):
             stepping(scene)
+
+
+def test_an_anchor_counts_while_it_holds() -> None:
+    """What an anchor would make after it let go asks for no steps: a table's quick end, or all of a shake."""
+    times = np.concatenate([np.linspace(0.0, 0.4, 41), 0.4 + 1e-4 * np.arange(1, 501)])
+    noise = by_table(
+        lambda t: np.where(t > 0.4, 1e-4 * np.sin(3e4 * t), 1.0 - np.cos(2.0 * t)), times
+    )
+    scene = held(noise)
+
+    def until(time: float | None, motion: Motion = noise) -> Scene:
+        return scene.replace(anchors=[Anchor(node=0, motion=motion, release_time=time)])
+
+    assert swinging_step(until(None), 0.5) < 2e-5
+    assert swinging_step(until(0.45), 0.5) < 2e-5
+    assert swinging_step(until(0.4), 0.5) > 5e-4
+    shake = Shake(axis=ALONG, amplitude=WIDTH, frequency=500.0)
+    assert swinging_step(until(1e-3, shake), 0.5) == pytest.approx(1.0 / STEPS / 500.0)
+    assert swinging_step(until(0.0, shake), 0.5) == math.inf
+    assert build(until(0.4)).plan.dt > 1e-4
+    assert warned(until(0.4)) == []
+    assert warned(until(0.45).replace(run=scene.run.replace(time_step=1e-3))) != []
+
+
+def past() -> Scene:
+    """A rope past which a ball flies that jumps over nodes."""
+    ball = Sphere(
+        center=(5.0, 0, 0), radius=0.1, motion=Velocity(velocity=(900.0, 0, 0), start=0.1)
+    )
+    return held(Fixed(), time_step=1.0 / 60.0).replace(obstacles=[ball])
+
+
+def turned() -> Scene:
+    """A rope beside a drum that makes a turn in a step."""
+    far = Cylinder(start=(5.0, 0, 0), end=(5.0, 1, 0), radius=0.1, spin=Spin(rate=2.0e3))
+    return held(Fixed(), time_step=1.0 / 60.0).replace(obstacles=[far])
+
+
+def let_go() -> Scene:
+    """A rope whose anchor lets go within what has come over it by then."""
+    ball = Sphere(center=(0, 0, 5.0), radius=0.3, motion=Velocity(velocity=(0, 0, -10.0)))
+    made = held(Fixed(), time_step=1e-3)
+    return made.replace(anchors=[Anchor(node=0, release_time=0.48)], obstacles=[ball])
+
+
+def wound() -> Scene:
+    """A rope that a winch winds by more than a segment a step."""
+    made = held(Fixed(), time_step=1.0 / 60.0)
+    return made.replace(winches=[Winch(end="start", speed=9.0, start=0.1)])
+
+
+@pytest.mark.parametrize(
+    ("made", "rule"),
+    [
+        (past, "would jump over nodes"),
+        (turned, "would point backwards"),
+        (let_go, "lets go"),
+        (wound, "may wind a fifth"),
+    ],
+)
+def test_what_steps_are_refused_for_is_no_matter_to_a_rest(
+    made: Callable[[], Scene], rule: str
+) -> None:
+    """A shape of rest, its modes, and a sweep of rests are not refused for how long steps are."""
+    scene = made()
+    plain = scene.replace(
+        obstacles=[], winches=[], anchors=[a.replace(release_time=None) for a in scene.anchors]
+    )
+    rest = rw.equilibrium(plain).positions[:, -11:]  # of what is wound, too, without its drum
+    assert np.allclose(rw.equilibrium(scene).positions[:, -11:], rest, rtol=0.0, atol=1e-9)
+    assert rw.modes(scene).frequencies == pytest.approx(rw.modes(plain).frequencies, rel=1e-6)
+    kept = rw.sweep(scene, {"rope.length": [1.0, 1.1]}, keep=["sag"], what="rest", progress=False)
+    assert list(kept.status.values) == ["at rest", "at rest"]
+    with pytest.raises(SceneError, match=rule):
+        build(scene)
 
 
 @pytest.mark.parametrize("width", [1e-2, 1e-5, 1e-9])

@@ -50,7 +50,7 @@ def build(
     `pieces` of earlier builds save those that are the same again; the model has the same bits. With `drawn`
     off the ropes get other places than their shapes say, so that joints need not fit those. An `endless`
     simulation goes on after the run's duration: steps suit what moves then, too. With `stepped` off no steps
-    are taken, as for a shape of rest: they may be too long for what swings.
+    are taken, as for a shape of rest: they may be too long for what moves, and anchors never let go.
     """
     if not isinstance(scene, Scene):
         raise TypeError(f"{scene!r} is no scene; rw.preset(name) and rw.load(path) give one")
@@ -62,12 +62,12 @@ def build(
     refuse_contact(scene, system, state, layout, drawn=drawn)
     refuse_segments(scene)
     until = math.inf if endless else scene.run.duration
-    plan = make_plan(scene, system, state, until)
-    step = plan.dt if plan.longest is None else plan.longest
-    refuse_fast(scene, system, step, until)
+    plan = make_plan(scene, system, state, until, stepped=stepped)
     if stepped:
+        step = plan.dt if plan.longest is None else plan.longest
+        refuse_fast(scene, system, step, until)
         refuse_unseen(scene, step, until)
-    if drawn:
+    if stepped and drawn:
         refuse_releases(scene, system, state, until)
     zero = -float(system.gravity @ (state.x * state.mass).sum(axis=1))
     return Model(scene, system, state, layout, plan, zero)

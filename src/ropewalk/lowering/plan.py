@@ -60,11 +60,14 @@ class Plan:
         return self.steps * self.dt
 
 
-def make_plan(scene: Scene, system: System, state: State, until: float) -> Plan:
+def make_plan(
+    scene: Scene, system: System, state: State, until: float, *, stepped: bool = True
+) -> Plan:
     """Return the plan of a scene's run, whose steps suit what moves before the time `until` [s].
 
-    Raises SceneError when "auto" finds no stable step, a method cannot work with a stretch limiter, or
-    the plan has more than 2^53 steps.
+    Raises SceneError when "auto" finds no stable step, a method cannot work with a stretch limiter, a winch
+    is too fast for the step, or the plan has more than 2^53 steps; of the last two nothing with `stepped`
+    off, where none is taken.
     """
     run = scene.run
     refuse_limiter(scene)
@@ -82,7 +85,7 @@ def make_plan(scene: Scene, system: System, state: State, until: float) -> Plan:
     else:
         step = run.time_step
     count, dt = divide(run.frame_interval, step, run.steps)
-    if not within(0.0, dt, most := _winch_step(system)):
+    if stepped and not within(0.0, dt, most := _winch_step(system)):
         fastest = int(np.argmax(np.abs(system.winches.speed) / system.winches.segment))
         rule = (
             f"must be at most {rounded_down(most, 4)}: in a step winch {scene.winches[fastest].name!r} may "
@@ -90,7 +93,7 @@ def make_plan(scene: Scene, system: System, state: State, until: float) -> Plan:
         )
         raise SceneError([Fault("run.time_step", dt, rule)])
     frames = max(1, round(run.duration / (count * dt)))
-    if frames * count >= 2**53:
+    if stepped and frames * count >= 2**53:
         rule = f"makes {frames * count:.2g} steps; take a longer one"
         raise SceneError([Fault("run.time_step", run.time_step, rule)])
     why = reason(scene, found, dt) if found else ""

@@ -51,16 +51,15 @@ class Swing(NamedTuple):
 
 
 def swings(scene: Scene, until: float) -> Iterator[Swing]:
-    """Yield what swings, or by a table may, before the time `until` [s]."""
-    moved = [
-        (f"anchor[{k}]", f"anchor {one.name!r}", one.motion) for k, one in enumerate(scene.anchors)
-    ]
-    moved += [
-        (f"obstacle[{k}]", f"obstacle {one.name!r}", one.motion)
-        for k, one in enumerate(scene.obstacles)
-    ]
-    for path, name, motion in moved:
-        if found := _of(f"{path}.motion", name, motion, until):
+    """Yield what swings, or by a table may, before the time `until` [s]; an anchor while it holds."""
+    for k, one in enumerate(scene.anchors):
+        held = until if one.release_time is None else min(until, one.release_time)
+        if held > 0.0 and (
+            found := _of(f"anchor[{k}].motion", f"anchor {one.name!r}", one.motion, held)
+        ):
+            yield found
+    for k, body in enumerate(scene.obstacles):
+        if found := _of(f"obstacle[{k}].motion", f"obstacle {body.name!r}", body.motion, until):
             yield found
     for k, body in enumerate(scene.obstacles):
         spin = getattr(body, "spin", None)

@@ -122,7 +122,9 @@ class Batcher:
     def __init__(self, recipe: Recipe) -> None:
         self.recipe = recipe
         self.keep: tuple[Kept, ...] = tuple(parse(text) for text in recipe.keep)
-        self._workshop = Workshop(loads(recipe.scene), recipe.paths, recipe.kinds)
+        self._workshop = Workshop(
+            loads(recipe.scene), recipe.paths, recipe.kinds, stepped=recipe.what != REST
+        )
         self._spare = Spare()
 
     def make(self, rows: Sequence[Sequence[Any]]) -> Batch:

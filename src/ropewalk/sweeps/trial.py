@@ -154,7 +154,8 @@ def try_out(
 
     Raises SceneError with every fault of every corner, each with the values of its corner.
     """
-    workshop = Workshop(scene, [p.path for p in parameters], [p.kind for p in parameters])
+    paths, types = [p.path for p in parameters], [p.kind for p in parameters]
+    workshop = Workshop(scene, paths, types, stepped=what != REST)
     drawn = design is not None and design.drawn
     ends = _drawn_ends(design) if design and drawn else [_ends(p, None) for p in parameters]
     given = design is not None and design.kind == GIVEN

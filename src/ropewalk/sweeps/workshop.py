@@ -17,11 +17,17 @@ from ropewalk.sweeps.parameters import TEXT
 
 
 class Workshop:
-    """Makes the scene and the model of every run of a sweep; not for two threads at once."""
+    """Makes the scene and the model of every run of a sweep; not for two threads at once.
 
-    def __init__(self, scene: Scene, paths: Sequence[str], kinds: Sequence[str]) -> None:
+    With `stepped` off of every equilibrium, as `build` does.
+    """
+
+    def __init__(
+        self, scene: Scene, paths: Sequence[str], kinds: Sequence[str], *, stepped: bool = True
+    ) -> None:
         self._places = Places(scene, paths)
         self._kinds = tuple(kinds)
+        self._stepped = stepped
         self.pieces = Pieces()
 
     def scene(self, values: Sequence[Any]) -> Scene:
@@ -33,4 +39,4 @@ class Workshop:
 
     def model(self, values: Sequence[Any]) -> Model:
         """Return the model of a run. Raises SceneError when it cannot be planned."""
-        return build(self.scene(values), self.pieces)
+        return build(self.scene(values), self.pieces, stepped=self._stepped)
