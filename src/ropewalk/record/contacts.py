@@ -14,6 +14,7 @@ from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Layout, Model, Span, build
 from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, stretches
+from ropewalk.methods.kinks import AT, JUST_BELOW, ROUNDING
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
 from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS, has_rope
 from ropewalk.record.rope_contact_table import modes_on_ropes
@@ -211,15 +212,31 @@ def each_frame(
     force = result.obstacle_force if apart else result.contact_force
     x, v = result.positions, result.velocities
     turning = result.read(PULLEYS) if result.layout.pulleys else None
-    span = result.plan.dt if result.plan.method == "implicit-euler" else 0.0
     for frame in map(int, frames):
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
-            t = float(result.time[frame])
+            t, span = _seen_at(model, float(result.time[frame]))
             wheels = None if turning is None else turning[frame]
             there = has_rope(result.layout, rest[frame : frame + 1], lengths)[0]
             contacts = touching(table, now[0], now[1], now[2], there, wheels, t, only, span)
             yield frame, contacts if apart else without_ropes(model, now[0], contacts)
+
+
+def _seen_at(model: Model, t: float) -> tuple[float, float]:
+    """Return the time just before which forces at a frame at `t` [s] were taken, for `surface_at`.
+
+    And over which time velocities are means there [s], see `touching`. Steps end just before a kink, such as
+    where a drum begins to turn (`methods.kinks`): what rubs then rubs on the drum that stands.
+    """
+    method, dt, kinks = model.plan.method, model.plan.dt, model.system.kinks
+    if method == "semi-implicit-euler":  # its steps are not cut
+        return t, 0.0
+    here = int(np.searchsorted(kinks, t - (little := max(AT * dt, ROUNDING * t))))
+    before = float(kinks[here - 1]) if here > 0 else 0.0
+    span = min(dt, t - before) if method == "implicit-euler" else 0.0
+    if here < len(kinks) and kinks[here] <= t + little:
+        t = min(t, float(kinks[here]) * JUST_BELOW)
+    return t, span
 
 
 def touching(
