@@ -282,7 +282,8 @@ def test_the_menu_of_scenes_shows_and_opens_them(window: Window) -> None:
         assert answer.ok
         assert "<svg" in answer.text()
     window.click(".scene-card[data-preset=r3]")
-    window.until("r.session.layout.scene.preset === 'r3' && r.state === 'playing'")
+    window.until("r.session.layout.scene.preset === 'r3' && r.state === 'paused'")  # as it was
+    window.press(" ")
     window.until("r.time > 0.2 && location.hash === '#scene=r3'")
     assert window.page.locator(".scene-name").inner_text().startswith("R3")
 

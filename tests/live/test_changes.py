@@ -49,7 +49,7 @@ def test_an_address_has_the_constants_that_are_shown(name: str, way: str) -> Non
     session = Session(preset(name), name)
     for parameter, value in WAYS[way]:
         do(session, "set", name=parameter, value=value)
-    assert_same(session.scene, session.initial(original=False))
+    assert_same(session.scene, initial(session.loaded, session.changes))
     found = address(session.start, (session.loaded, session.preset), session.changes)
     assert_same(session.scene, Session(scene_at(found, (START, None))).scene)
 
@@ -134,7 +134,7 @@ def test_where_no_straight_way_leads_it_is_what_was_asked_for() -> None:
         do(session, "set", name="segments", value=segments)
     assert session.changes == {("segments", None): 20}
     with pytest.raises(SceneError):
-        session.initial(original=False)
+        initial(session.loaded, session.changes)
 
 
 def frictions(session: Session) -> list[float]:

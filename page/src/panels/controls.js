@@ -56,6 +56,7 @@ export class Controls {
     });
     this.hearing = new Hearing(session);
     this.seeking = 0;
+    this.resetting = false;
     this.shown = -Infinity; // when the clock was last changed [ms]
     host.append(
       h("div", { className: "group" }, this.reset, this.undo, this.play, this.step),
@@ -140,8 +141,12 @@ export class Controls {
     else await this.session.tell({ type: "step" });
   }
 
-  doReset() {
-    if (this.session.can("reset")) this.session.tell({ type: "reset" });
+  /** A second press is the same reset: to look for rest may take some seconds. */
+  async doReset() {
+    if (!this.session.can("reset") || this.resetting) return;
+    this.resetting = true;
+    await this.session.tell({ type: "reset" });
+    this.resetting = false;
   }
 
   doUndo() {

@@ -32,7 +32,7 @@ const KEYS = [
   ["J L I K U O", "the same for the third anchor"],
   ["Tab, Enter", "on the scene: the next place on the ropes, or obstacle, and its menu"],
   ["Page Up, Page Down", "turn the obstacle that Tab has chosen; arrow keys, Home and End move it"],
-  ["Space", "play or pause"],
+  ["Space", "play or pause; paused it stays so, over a reset or another scene"],
   [".", "one step"],
   ["R", "reset to time zero"],
   ["Ctrl Z", "undo the last cut, pin, load, tie, kick, reset or move of an obstacle"],

@@ -5,6 +5,8 @@ import { h, icon } from "./dom.js";
 /** @typedef {import("../session.js").Session} Session */
 
 const STAYS = 7000; // ms
+const LETTER = 40; // ms that a long one stays longer for each letter
+const SHORT = 80; // letters
 const MOST = 3;
 
 export class Notices {
@@ -18,10 +20,12 @@ export class Notices {
     session.on("note", ({ text }) => this.say(text));
     session.on("saved", ({ folder }) => this.say(`Saved in ${folder}`));
     session.on("connection", ({ state, text }) => this.connection(state, text));
-    session.on("status", ({ slow, text, broken }) => {
-      const shown = slow && text !== "" && !broken;
+    session.on("status", ({ slow, text, broken, waits = "" }) => {
+      const shown = waits || (slow && !broken && text) || "";
       this.slow.hidden = !shown;
-      if (shown && this.slow.textContent !== text) this.slow.textContent = text;
+      this.slow.classList.toggle("waits", waits !== "");
+      if (shown && this.slow.textContent !== shown)
+        this.slow.replaceChildren(waits && h("span", { className: "spinner" }), shown);
     });
   }
 
@@ -50,7 +54,7 @@ export class Notices {
     const note = h("div", { className: `notice ${kind}` }, h("span", {}, text), close);
     this.list.append(note);
     while (this.list.children.length > MOST) this.list.firstChild?.remove();
-    setTimeout(() => note.remove(), STAYS);
+    setTimeout(() => note.remove(), STAYS + LETTER * Math.max(0, text.length - SHORT));
     return () => note.remove();
   }
 }

@@ -66,8 +66,8 @@ export class Scenes {
   }
 
   /** @param {string} preset */
-  async choose(preset) {
+  choose(preset) {
     this.window.close();
-    if (await this.session.tell({ type: "scene", preset })) this.session.send({ type: "play" });
+    this.session.tell({ type: "scene", preset });
   }
 }

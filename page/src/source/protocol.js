@@ -40,7 +40,7 @@
 /** `realtime` null: not measured yet.
  * @typedef {{type: "status", playing: boolean, speed: number, realtime: number | null, slow: boolean, text: string,
  *   time: number, step: number, dt: number, steps_per_frame: number, method: string, broken: boolean,
- *   clients: number, address: string, undo: string, duration: number | null}} Status */
+ *   clients: number, address: string, undo: string, duration: number | null, waits?: string}} Status */
 /** @typedef {{stable: boolean, breaks: boolean, zone: "green" | "amber" | "red", ratio: number | null,
  *   step: number, bound: number | null, meter: number | null, meter_limit: number | null,
  *   meter_name: string | null,

@@ -10,6 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live import edits, ties
+from ropewalk.live.anew import LEAVE_OUT, Anew
 from ropewalk.live.bodies import lead
 from ropewalk.live.carry import can_part
 from ropewalk.live.changes import label_of
@@ -59,14 +60,11 @@ def speed(session: Session, command: Speed, client: int) -> str:
 
 
 def reset(session: Session, command: Reset, client: int) -> str:
-    scene = session.initial(original=command.all)
-    made = [Track(scene, session.main.label)]
-    for track in session.tracks[1:]:
-        changed = scene
-        for name, value in track.changes.items():
-            changed = named(name).apply(changed, value)
-        made.append(Track(changed, track.label, track.changes))
-        made[-1].given = track.given
+    return begin_anew(session, command, Anew.of(session, original=command.all).tracks())
+
+
+def begin_anew(session: Session, command: Reset, made: list[Track]) -> str:
+    """Take variants at time zero in place of the present ones."""
     made[0].count = session.count
     session.tracks = made
     if command.all:
@@ -264,7 +262,8 @@ def opened(
     for name, rope, value in settings:
         session.set(name, value, rope, None)
     if settings:
-        reset(session, Reset(type="reset"), 0)
+        anew = Anew.of(session, original=False, remedy=LEAVE_OUT)
+        begin_anew(session, Reset(type="reset"), anew.tracks())
     return session
 
 

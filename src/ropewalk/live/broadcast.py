@@ -9,23 +9,23 @@ import math
 import sys
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from functools import partial
 from typing import Any
 
-from ropewalk.live import describe
+from ropewalk.live import describe, going
 from ropewalk.live.aside import aside
 from ropewalk.live.audience import Audience, Nobody
 from ropewalk.live.bodies import Told
 from ropewalk.live.commands import COMMANDS, Back, Command, LetGo, Remedy, SceneCommand
 from ropewalk.live.ear import Ear
 from ropewalk.live.explainer import Explainer
-from ropewalk.live.frame import BROKEN, GRABBED, PLAYING, SLOW, Clockwork, encode
+from ropewalk.live.frame import encode
 from ropewalk.live.inbox import Inbox, Item, Reply
 from ropewalk.live.messages import error_message
 from ropewalk.live.meter_thread import MeterThread
-from ropewalk.live.opening import Opened, Opening
+from ropewalk.live.opening import OF_HANDS, Opened, Opening
 from ropewalk.live.pace import BUDGET, Pace
 from ropewalk.live.pictures import Compared, combiner, pictures
 from ropewalk.live.session import Session
@@ -40,8 +40,6 @@ STATUS_SECONDS = 0.25
 LIVE = "live"
 # What ends the steps that are still to be taken.
 _JUMPS = frozenset(["play", "pause", "reset", "back", "undo", "remedy"])
-# What leaves the cost of a step as it is: hands send it many times a second, and must not hide it.
-_OF_HANDS = frozenset(["drag", "drop", "move", "obstacle", "grab", "let_go", "kick", "listen"])
 
 
 class Broadcast:
@@ -72,9 +70,10 @@ class Broadcast:
         self._compared = Compared()
         self.meter = MeterThread()
         self._explainer = Explainer(lambda: self.wake())
-        self._opening = Opening(session.start, lambda: self.wake())
+        self._opening = Opening(session, lambda: self.wake())
         self._steps = Steps()
         self._lent: Future[None] | None = None  # while another thread has the session
+        self._lent_for = ""  # in words
         describe.built_in()
         self.refresh()
 
@@ -99,7 +98,7 @@ class Broadcast:
         while self._lent is None:
             ready = self._opening.take()
             if ready is not None:
-                self._carry_out(ready.item, partial(self._show_scene, ready))
+                self._carry_out(ready.item, partial(self._put_in, ready), ready.also)
             elif (item := self.inbox.take(self._opening.clients)) is not None:
                 self._begin(item)
             else:
@@ -118,33 +117,35 @@ class Broadcast:
             command(self)
         elif command.type not in self.can:
             self._carry_out(item, partial(self.act, item))
-        elif isinstance(command, SceneCommand):
+        elif Opening.takes(command, self.session):
             self._opening.ask(item)
         elif command.type == "save":
             aside(partial(self._carry_out, item, partial(self._save, item)), "save", self.wake)
         elif takes_long(command, self.session):
-            self._note(note_of_compiling(command, self.session))
+            self._lent_for = note_of_compiling(command, self.session)
+            if self._lent_for:
+                self._tell_status(time.perf_counter())
             what = partial(self._carry_out, item, partial(self.act, item, compiles=True))
             self._lent = aside(what, "lent", self.wake)
         else:
             self._carry_out(item, partial(self.act, item))
 
-    def _carry_out(self, item: Item, what: Callable[[], bool]) -> None:
-        command, reply = item.what, item.reply
+    def _carry_out(self, item: Item, what: Callable[[], bool], also: Sequence[Item] = ()) -> None:
+        """Carry out an item, and `also` others of which that is all."""
+        items = [item, *also]
         try:
             finished = what()
         except (SceneError, RunError) as error:
-            reply(error_message(command.type, command.id, error))
+            _refuse(items, error)
             return
         except Exception as error:  # a fault of ours must not end the run; nothing has changed
             traceback.print_exception(error, file=sys.stderr)
             text = f"an error in Ropewalk itself: {type(error).__name__}: {error}"
-            fault = SceneError([Fault(command.type, NO_VALUE, text)])
-            reply(error_message(command.type, command.id, fault))
+            _refuse(items, SceneError([Fault(item.what.type, NO_VALUE, text)]))
             return
         self._dirty = True
-        if finished:
-            self._done(command, reply)
+        for one in items if finished else ():
+            self._done(one.what, one.reply)
 
     def _done(self, command: Command, reply: Reply) -> None:
         if command.id is not None:
@@ -178,16 +179,18 @@ class Broadcast:
             if compiles:
                 for track in self.session.tracks:
                     track.simulation.advance_frames(0)
-        if kind not in _OF_HANDS:
+        if kind not in OF_HANDS:  # what leaves the cost of a step as it is must not hide it
             self.pace.restart()
         return True
 
-    def _show_scene(self, ready: Opened) -> bool:
-        """Broadcast a scene that was opened."""
+    def _put_in(self, ready: Opened) -> bool:
+        """Broadcast what was built beside. What was paused stays so, but for what a break has stopped."""
         self._end_steps()
-        made = ready.session.result()
-        self._note(self.session.apply(ready.item.what, ready.item.client, made))
-        self.playing = True
+        stopped = self.session.broken is not None
+        command = ready.item.what
+        self._note(self.session.apply(command, ready.item.client, ready.made.result()))
+        if stopped and isinstance(command, SceneCommand):
+            self.playing = True
         self.pace.restart()
         return True
 
@@ -250,7 +253,7 @@ class Broadcast:
             if not self._lent.done():
                 self.inbox.gather()
                 return
-            self._lent = None
+            self._lent, self._lent_for = None, ""
             self.refresh()
         self.handle(time.perf_counter() + BUDGET)
         if self._lent is None:
@@ -298,6 +301,11 @@ class Broadcast:
         if found is not None:
             self.audience.tell(found)
 
+    @property
+    def waits(self) -> str:
+        """What pages wait for, in words, or ""."""
+        return self._lent_for or self._opening.words
+
     # -- telling ------------------------------------------------------------------------
 
     def refresh(self) -> None:
@@ -322,7 +330,7 @@ class Broadcast:
             self._sent["layout"] = {**self._sent["layout"], "obstacles": found}
             self.audience.tell({"type": "obstacles", "obstacles": found})
         about = (session.speed, session.broken, session.undo.word)
-        now = (self.playing, *about, self._address, self.text)
+        now = (self.playing, *about, self._address, self.text, self.waits)
         if now != self._told:
             self._told = now
             self._tell_status(time.perf_counter())
@@ -344,28 +352,7 @@ class Broadcast:
 
     def status(self) -> dict[str, Any]:
         """Return the `status` message."""
-        session = self.session
-        plan = session.main.simulation.plan
-        slow = self.playing and self.pace.slow
-        nodes = session.main.simulation.layout.nodes
-        return {
-            "type": "status",
-            "playing": self.playing,
-            "speed": session.speed,
-            "realtime": self.pace.realtime if self.playing else 0.0,
-            "slow": slow,
-            "text": self.pace.words(nodes, plan.dt) if slow else self.text,
-            "time": session.time,
-            "step": session.count,
-            "dt": plan.dt,
-            "steps_per_frame": plan.steps_per_frame,
-            "method": plan.method,
-            "broken": session.broken is not None,
-            "clients": self.audience.size,
-            "address": self._address,
-            "undo": session.undo.word,
-            "duration": self.duration,
-        }
+        return going.status(self)
 
     def show(self) -> None:
         """Make a frame and show it."""
@@ -382,19 +369,10 @@ class Broadcast:
 
     def frame(self) -> bytes:
         """Return the present frame."""
-        session = self.session
-        flags = PLAYING * self.playing + BROKEN * (session.broken is not None)
-        flags += SLOW * (self.playing and self.pace.slow)
-        flags += GRABBED * bool(session.main.hands.grabs)
-        realtime = self.pace.realtime if self.playing else 0.0
-        head = Clockwork(
-            self.layout_number,
-            self.frame_number,
-            flags,
-            session.time,
-            session.count,
-            realtime,
-            session.speed,
-            self.pace.load,
-        )
-        return encode(head, pictures(session.tracks, self._compared, playing=self.playing))
+        found = pictures(self.session.tracks, self._compared, playing=self.playing)
+        return encode(going.head(self), found)
+
+
+def _refuse(items: Sequence[Item], error: SceneError | RunError) -> None:
+    for what, _, reply in items:
+        reply(error_message(what.type, what.id, error))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import queue
-from collections.abc import Callable, Container
+from collections.abc import Callable, Container, Mapping
 from typing import Any, NamedTuple
 
 from ropewalk.live.commands import Command, SceneCommand
@@ -57,14 +57,17 @@ class Inbox:
             else:
                 self._items.append(item)
 
-    def take(self, held: Container[int]) -> Item | None:
+    def take(self, held: Mapping[int, Container[str]]) -> Item | None:
         """Return the next item; None: there is none.
 
-        Of the pages `held`, which wait for their scene, only that they want another one now.
+        Of the pages `held`, which wait for their scene, only that they want another one now, and the types
+        of commands that are given for them.
         """
         passed: set[int] = set()
         for i, item in enumerate(self._items):
             if item.client not in held or not isinstance(item.what, Command):
+                return self._items.pop(i)
+            if item.what.type in held[item.client]:
                 return self._items.pop(i)
             if isinstance(item.what, SceneCommand) and item.client not in passed:
                 return self._items.pop(i)

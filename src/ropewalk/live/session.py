@@ -18,7 +18,7 @@ from ropewalk.live.changes import Key, changes_between, label_of, loaded_value, 
 from ropewalk.live.commands import PHYSICAL, Command, Knot
 from ropewalk.live.energy_off import weigh
 from ropewalk.live.history import EVERY, History, Moment
-from ropewalk.live.parameters import Parameter, initial, named, refusal
+from ropewalk.live.parameters import Parameter, named, refusal
 from ropewalk.live.saved import Saved
 from ropewalk.live.track import Track, planned
 from ropewalk.live.undo import WORDS, Undo
@@ -217,11 +217,13 @@ class Session:
 
     # -- commands -----------------------------------------------------------------------
 
-    def apply(self, command: Command, client: int = 0, opened: Session | None = None) -> str:
+    def apply(
+        self, command: Command, client: int = 0, ready: Callable[[Session], str] | None = None
+    ) -> str:
         """Carry out a command that changes the simulation; return a note, or "".
 
-        All or nothing: when it is refused (SceneError), nothing has changed. `opened` is what a command for
-        a scene asks for, where it is there already.
+        All or nothing: when it is refused (SceneError), nothing has changed. `ready` puts in place what the
+        command asks for, where that was built already.
         """
         if command.type not in PHYSICAL:
             raise KeyError(command.type)
@@ -230,11 +232,7 @@ class Session:
         begins = getattr(command, "begin", True)  # of a stroke all is undone at once
         moment = self._moment() if command.type in WORDS and begins else None
         try:
-            if opened is not None:
-                self.adopt(opened)
-                note = ""
-            else:
-                note = ACTIONS[command.type](self, command, client)
+            note = ready(self) if ready else ACTIONS[command.type](self, command, client)
         except BaseException:
             self._put_back(before)
             raise
@@ -291,13 +289,6 @@ class Session:
             if not default:
                 self.changes[name, rope] = _resolved(name, value, self.scene)
             self.changes = changes_between(self.loaded, self.scene, self.changes)
-
-    def initial(self, *, original: bool) -> Scene:
-        """Return the scene as loaded, with the changed constants unless `original`.
-
-        Raises SceneError when they do not fit its shape at time zero.
-        """
-        return initial(self.loaded, {} if original else self.changes)
 
 
 def _wanted(

@@ -31,8 +31,7 @@ def takes_long(command: Command, session: Session) -> bool:
     if command.type not in _BUILDING:
         return False
     nodes = sum(track.simulation.layout.nodes for track in session.tracks)
-    settles = command.type == "reset" and session.loaded.run.start == "at-rest"
-    return nodes > MANY or _compiles(command) or settles
+    return nodes > MANY or _compiles(command)
 
 
 def _compiles(command: Command) -> bool:
