@@ -45,5 +45,6 @@ def head(broadcast: Broadcast) -> Clockwork:
     flags += GRABBED * bool(session.main.hands.grabs)
     realtime = pace.realtime if playing else 0.0
     numbers = broadcast.layout_number, broadcast.frame_number
-    about = session.time, session.count, realtime, session.speed
-    return Clockwork(*numbers, flags, *about, pace.load)
+    return Clockwork(
+        *numbers, flags, session.time, session.count, realtime, session.speed, pace.load
+    )
