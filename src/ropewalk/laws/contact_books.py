@@ -15,7 +15,7 @@ and a mean speed for a way. With it the entries add up to the ledger's to roundi
 
 from __future__ import annotations
 
-from ropewalk.core.jit import deferred, kernel
+from ropewalk.core.jit import deferred, small
 from ropewalk.laws.contact_frame import carried, turn_of
 
 # Rows of `Memory.books`: works so far [J], what is stored now [J], and the gap now [m].
@@ -27,7 +27,7 @@ ENTRIES = ("motor", "normal", "friction", "stored", "method")
 RISE, OVER, LED, OFTEN, WHEN, WAYS = 0, 3, 6, 9, 10, 11
 
 
-@kernel
+@small
 def put_apart(force, o, i, push, nx, ny, nz, sx, sy, sz):
     """Write what presses and what rubs into an obstacle's own rows of the force."""
     row = 3 + 6 * o
@@ -35,7 +35,7 @@ def put_apart(force, o, i, push, nx, ny, nz, sx, sy, sz):
     force[row + 3, i], force[row + 4, i], force[row + 5, i] = sx, sy, sz
 
 
-@kernel
+@small
 def note_way(obstacles, memory, o, i, now, then, angle, x, y, z, gap, n0, n1, n2):
     """Keep a node's way over an obstacle in the step that ends at x, y, z, in its frame, and its gap.
 

@@ -14,6 +14,7 @@ GRIP, PUSH, STIFF, DAMP, GROWS, LASTS, GRIPS = 3, 4, 5, 6, 7, 8, 9
 STILL = 0.02  # [1] diameters by which a contact may close in a step that strikes nothing
 TOUCHES = 1e-9  # [1] depth over the diameter up to which what is drawn just touching is open
 STOPS = 0.5  # [1] longest step that follows how a contact stops what strikes it, over 2 sqrt(m / k)
+SURELY = 0.99  # [1] square below which a vector is not too long, whatever rounding does: most take no root
 # Of what is thrown back: how much shorter steps are, and from what way across in one on, in diameters [1].
 OFTENER, MOVES = 5.0, 5e-4
 
@@ -68,7 +69,7 @@ def turn_of(angle):
     return math.cos(angle), math.sin(angle)
 
 
-@kernel
+@small
 def carried(hub, axle, angle, then, grip, place, i, x, y, z, turn):
     """Return the spring's force R' [N] and the way D [m], both turned with the surface by `angle`.
 
@@ -86,7 +87,7 @@ def carried(hub, axle, angle, then, grip, place, i, x, y, z, turn):
     return fx, fy, fz, x - hub[0] - ox, y - hub[1] - oy, z - hub[2] - oz
 
 
-@kernel
+@small
 def spring_pull(k, hub, axle, angle, then, grip, place, i, x, y, z, turn):
     """Return R' - k D [N]."""
     fx, fy, fz, dx, dy, dz = carried(hub, axle, angle, then, grip, place, i, x, y, z, turn)
@@ -96,7 +97,10 @@ def spring_pull(k, hub, axle, angle, then, grip, place, i, x, y, z, turn):
 @small
 def cut(x, y, z, bound):
     """Return a vector, no longer than `bound`."""
-    total = math.sqrt(x * x + y * y + z * z)
+    square = x * x + y * y + z * z
+    if square < SURELY * bound * bound:
+        return x, y, z
+    total = math.sqrt(square)
     if total > bound:
         share = bound / total
         return x * share, y * share, z * share

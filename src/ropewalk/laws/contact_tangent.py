@@ -13,10 +13,10 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.blocks import load9, subtract
-from ropewalk.core.jit import deferred, kernel
+from ropewalk.core.blocks import ZERO3, ZERO9, add, load9, scale3, store9, subtract
+from ropewalk.core.jit import deferred, small
 from ropewalk.laws.closing import across, closing
-from ropewalk.laws.contact_frame import DAMP, STIFF, friction_at, spring_pull
+from ropewalk.laws.contact_frame import DAMP, STIFF, SURELY, friction_at, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_lead import led
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
@@ -75,10 +75,10 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 apart * nz + by_turn * (hz + by_speed * tz) + aside * vH[2],
             )
             bend = -weight_x * push  # R_n H
+            bent = ca != 0.0 or cb != 0.0
+            curves = curved(ca, cb, n, a) if bent else ZERO9
             before = load9(diagonal, i)
-            for p in range(3):
-                for r in range(3):
-                    diagonal[i, 3 * p + r] += n[p] * drop[r] + bend * curve(ca, cb, n, a, p, r)
+            block = add(before, press(n, drop, bend, curves))
             mu = friction_at(grip, i, since)
             bound, pull = mu * push, (0.0, 0.0, 0.0)
             if bound > 0.0:
@@ -95,56 +95,89 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 pull = (sx - c * vx, sy - c * vy, sz - c * vz)
                 own, turn = weight_x * kt + weight_v * c, weight_x * c
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
-                before = before if whole else load9(diagonal, i)
-                rub(diagonal, i, n, a, ca, cb, pull, bound, mu, drop, own, turning, weight_x)
+                before = before if whole else block
+                bends = curves, across(ca, cb, n, a, pull) if bent else ZERO3
+                block = add(block, rub(n, bends, pull, bound, mu, drop, own, turning, weight_x))
+            store9(diagonal, i, block)
             if whole or (tied and bound > 0.0):
-                arm, more = (ox, oy, oz), subtract(load9(diagonal, i), before)
+                arm, more = (ox, oy, oz), subtract(block, before)
                 presses = push if whole else 0.0
                 write_row(obstacles, memory, o, i, arm, n, presses, pull, bound, more, weight_x)
 
 
-@kernel
-def rub(diagonal, i, n, a, ca, cb, pull, bound, friction, drop, own, turning, weight_x):
-    """Add the derivative of R_t. `pull` is R' - k D - c v, `own` the weighted k_t and c.
+@small
+def press(n, drop, bend, curves):
+    """Return n (-dR_n) - R_n H, the last a `bend` of H."""
+    return (
+        n[0] * drop[0] + bend * curves[0], n[0] * drop[1] + bend * curves[1], n[0] * drop[2] + bend * curves[2],
+        n[1] * drop[0] + bend * curves[3], n[1] * drop[1] + bend * curves[4], n[1] * drop[2] + bend * curves[5],
+        n[2] * drop[0] + bend * curves[6], n[2] * drop[1] + bend * curves[7], n[2] * drop[2] + bend * curves[8],
+    )  # fmt: skip
 
-    `turning` is the weighted c times the surface's angular velocity.
+
+@small
+def rub(n, bends, pull, bound, friction, drop, own, turning, weight_x):
+    """Return the derivative of R_t. `pull` is R' - k D - c v, `own` the weighted k_t and c.
+
+    `bends` are H and H pull, `turning` is the weighted c times the surface's angular velocity.
     """
     tx, ty, tz = turning
+    curves, wH = bends
     along = n[0] * pull[0] + n[1] * pull[1] + n[2] * pull[2]
     q = (pull[0] - along * n[0], pull[1] - along * n[1], pull[2] - along * n[2])
-    total = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
-    slips = total > bound
-    share = bound / total if slips else 1.0
-    over = 1.0 / total if slips else 0.0
-    s = (over * q[0], over * q[1], over * q[2])
-    wH = across(ca, cb, n, a, pull)
-    for r in range(3):
-        # column r of -dq
-        e = (own * (r == 0), own * (r == 1), own * (r == 2))
-        # c dv: less the surface's velocity w x dx
-        if r == 0:
-            e = (e[0], e[1] - tz, e[2] + ty)
-        elif r == 1:
-            e = (e[0] + tz, e[1], e[2] - tx)
-        else:
-            e = (e[0] - ty, e[1] + tx, e[2])
-        lift = n[0] * e[0] + n[1] * e[1] + n[2] * e[2]
-        d0 = e[0] - lift * n[0] + weight_x * (along * curve(ca, cb, n, a, 0, r) + n[0] * wH[r])
-        d1 = e[1] - lift * n[1] + weight_x * (along * curve(ca, cb, n, a, 1, r) + n[1] * wH[r])
-        d2 = e[2] - lift * n[2] + weight_x * (along * curve(ca, cb, n, a, 2, r) + n[2] * wH[r])
-        if slips:
-            ahead = s[0] * d0 + s[1] * d1 + s[2] * d2
-            more = friction * drop[r]
-            d0 = share * (d0 - ahead * s[0]) + more * s[0]
-            d1 = share * (d1 - ahead * s[1]) + more * s[1]
-            d2 = share * (d2 - ahead * s[2]) + more * s[2]
-        diagonal[i, r] += d0
-        diagonal[i, 3 + r] += d1
-        diagonal[i, 6 + r] += d2
+    s, cutting = ZERO3, (False, 1.0, friction)
+    square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2]
+    if not square < SURELY * bound * bound and math.sqrt(square) > bound:
+        total = math.sqrt(square)
+        s, cutting = scale3(1.0 / total, q), (True, bound / total, friction)
+    # columns of -dq; c dv is less the surface's velocity w x dx
+    e, h = (own, 0.0 - tz, 0.0 + ty), (curves[0], curves[3], curves[6])
+    one = column(n, e, h, along, weight_x, wH[0], s, cutting, drop[0])
+    e, h = (0.0 + tz, own, 0.0 - tx), (curves[1], curves[4], curves[7])
+    two = column(n, e, h, along, weight_x, wH[1], s, cutting, drop[1])
+    e, h = (0.0 - ty, 0.0 + tx, own), (curves[2], curves[5], curves[8])
+    three = column(n, e, h, along, weight_x, wH[2], s, cutting, drop[2])
+    return (
+        one[0], two[0], three[0],
+        one[1], two[1], three[1],
+        one[2], two[2], three[2],
+    )  # fmt: skip
 
 
-@kernel
-def curve(ca, cb, n, a, p, r):
-    """Return entry (p, r) of H."""
-    one = 1.0 if p == r else 0.0
-    return ca * (one - n[p] * n[r] - a[p] * a[r]) + cb * a[p] * a[r]
+@small
+def column(n, e, h, along, weight_x, turns, s, cutting, drop):
+    """Return a column of what `rub` does, of one of -dq with neither P nor H in it, and one of H."""
+    slips, share, friction = cutting
+    lift = n[0] * e[0] + n[1] * e[1] + n[2] * e[2]
+    d0 = e[0] - lift * n[0] + weight_x * (along * h[0] + n[0] * turns)
+    d1 = e[1] - lift * n[1] + weight_x * (along * h[1] + n[1] * turns)
+    d2 = e[2] - lift * n[2] + weight_x * (along * h[2] + n[2] * turns)
+    if slips:
+        ahead = s[0] * d0 + s[1] * d1 + s[2] * d2
+        more = friction * drop
+        d0 = share * (d0 - ahead * s[0]) + more * s[0]
+        d1 = share * (d1 - ahead * s[1]) + more * s[1]
+        d2 = share * (d2 - ahead * s[2]) + more * s[2]
+    return d0, d1, d2
+
+
+@small
+def curved(ca, cb, n, a):
+    """Return H, nine numbers."""
+    return (
+        curve(1.0, ca, cb, n[0], n[0], a[0], a[0]),
+        curve(0.0, ca, cb, n[0], n[1], a[0], a[1]),
+        curve(0.0, ca, cb, n[0], n[2], a[0], a[2]),
+        curve(0.0, ca, cb, n[1], n[0], a[1], a[0]),
+        curve(1.0, ca, cb, n[1], n[1], a[1], a[1]),
+        curve(0.0, ca, cb, n[1], n[2], a[1], a[2]),
+        curve(0.0, ca, cb, n[2], n[0], a[2], a[0]),
+        curve(0.0, ca, cb, n[2], n[1], a[2], a[1]),
+        curve(1.0, ca, cb, n[2], n[2], a[2], a[2]),
+    )
+
+
+@small
+def curve(one, ca, cb, n, m, a, b):
+    """Return an entry of H, `one` on its diagonal: n and m, a and b are those of its row and column."""
+    return ca * (one - n * m - a * b) + cb * a * b
