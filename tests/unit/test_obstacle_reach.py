@@ -7,9 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from ropewalk.core.band import make_band
 from ropewalk.laws.contact import contact_forces
 from ropewalk.laws.contact_frame import DAMP, find_gaps
-from ropewalk.laws.obstacle_reach import is_out_of_reach
+from ropewalk.laws.contact_tangent import contact_tangent
+from ropewalk.laws.obstacle_reach import RUN, is_out_of_reach
 from ropewalk.lowering import build
 from ropewalk.scene import (
     Box,
@@ -34,11 +36,11 @@ SHAPES: dict[str, Any] = {
 }
 
 
-def rope_beside(body: Any) -> Any:
-    """A rope of 8 segments and an obstacle."""
+def rope_beside(body: Any, segments: int = 8) -> Any:
+    """A rope of so many segments of 5 cm and an obstacle."""
     rope = Rope(
-        segments=8,
-        length=0.4,
+        segments=segments,
+        length=0.05 * segments,
         diameter=0.01,
         made_of=Material(EA=1e4, mass_per_length=0.1),
         shape=Straight(direction=(1, 0, 0)),
@@ -109,3 +111,35 @@ def test_a_rope_whose_one_end_touches_is_looked_at() -> None:
     force = np.zeros((3, 9))
     contact_forces(x, np.zeros((3, 9)), table, memory, np.zeros(2), force, 0, 9)
     assert force[2, 0] > 0.0
+
+
+@pytest.mark.parametrize("name", list(SHAPES))
+def test_a_long_rope_is_pressed_as_its_nodes_are_one_by_one(name: str) -> None:
+    """And forces change where nodes are pressed, and nowhere else. Some runs are out of reach, others not."""
+    rng, n = np.random.default_rng(2), 8 * RUN + 5
+    model = rope_beside(SHAPES[name], n - 1)
+    table, memory = model.system.node.obstacle, model.state.memory.obstacle
+    grip, now, still = memory.grip[0], np.zeros(2), (0.0, 0.0, 0.0)
+    band, pressed, out, where = make_band(n), 0, 0, set[int]()
+    for _ in range(100):
+        along = np.linspace(-1.0, 1.0, n) * rng.uniform(1.0, 5.0)
+        x = 0.2 * rng.normal(size=3)[:, None] + np.outer(rng.normal(size=3), along)
+        v = 10.0 ** rng.uniform(-2.0, 1.0) * rng.normal(size=(3, n))
+        force, alone = np.zeros((9, n)), np.zeros((9, n))
+        contact_forces(x, v, table, memory, now, force, 0, n)
+        for i in range(n):
+            contact_forces(x, v, table, memory, now, alone, i, i + 1)
+        assert np.array_equal(force, alone)
+        band.diagonal[:] = 0.0
+        contact_tangent(x, v, table, memory, now, 1.0, 60.0, band)
+        assert np.array_equal(band.diagonal.any(axis=1), force.any(axis=0))
+        runs = [(lo, min(lo + RUN, n)) for lo in range(0, n, RUN)]
+        away = [
+            is_out_of_reach(x, v, table, grip, 0, (1.0, 0.0), still, still, still, *run)
+            for run in runs
+        ]
+        pressed, out = pressed + bool(force.any()), out + (0 < sum(away) < len(away))
+        where |= set(np.flatnonzero(force.any(axis=0)) % RUN)
+    assert pressed > 20
+    assert out > 20
+    assert where == set(range(RUN))

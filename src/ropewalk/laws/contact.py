@@ -38,7 +38,7 @@ from ropewalk.laws.contact_frame import (
 from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_lead import led, mean_speed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
-from ropewalk.laws.obstacle_reach import is_out_of_reach
+from ropewalk.laws.obstacle_reach import RUN, first_run, is_out_of_reach
 from ropewalk.laws.polygon import keep_friction
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
@@ -70,8 +70,12 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
         (mx, my, mz), (ux, uy, uz) = to, at
         if is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, first, last):
             continue
+        away, seen = False, first_run(obstacles, o, first, last)
         for i in range(first, last):
-            if held[i] != 0:
+            if i == seen:
+                seen = min(i + RUN, last)
+                away = is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, i, seen)
+            if away or held[i] != 0:
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)

@@ -13,14 +13,14 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.blocks import ZERO3, ZERO9, add, load9, scale3, store9, subtract
+from ropewalk.core.blocks import ZERO3, ZERO9, add, load9, scale3, scale9, store9, subtract
 from ropewalk.core.jit import deferred, small
 from ropewalk.laws.closing import across, closing
 from ropewalk.laws.contact_frame import DAMP, STIFF, SURELY, friction_at, spring_pull
 from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_lead import led
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
-from ropewalk.laws.obstacle_reach import is_out_of_reach
+from ropewalk.laws.obstacle_reach import RUN, first_run, is_out_of_reach
 from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
@@ -44,8 +44,12 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             continue
         tied = obstacles.wheel[o] >= 0
         whole = tied and obstacles.sweeps[o]  # what presses turns it, too
-        for i in range(x.shape[1]):
-            if memory.held[i] != 0:
+        away, seen = False, first_run(obstacles, o, 0, count)
+        for i in range(count):
+            if i == seen:
+                seen = min(i + RUN, count)
+                away = is_out_of_reach(x, v, obstacles, grip, o, pose, to, at, sweep, i, seen)
+            if away or memory.held[i] != 0:
                 continue
             px, py, pz = x[0, i] - mx, x[1, i] - my, x[2, i] - mz
             g, nx, ny, nz, ax, ay, az, ca, cb = probe_turned(body, pose, px, py, pz)
@@ -108,11 +112,12 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
 @small
 def press(n, drop, bend, curves):
     """Return n (-dR_n) - R_n H, the last a `bend` of H."""
-    return (
-        n[0] * drop[0] + bend * curves[0], n[0] * drop[1] + bend * curves[1], n[0] * drop[2] + bend * curves[2],
-        n[1] * drop[0] + bend * curves[3], n[1] * drop[1] + bend * curves[4], n[1] * drop[2] + bend * curves[5],
-        n[2] * drop[0] + bend * curves[6], n[2] * drop[1] + bend * curves[7], n[2] * drop[2] + bend * curves[8],
+    across_it = (
+        n[0] * drop[0], n[0] * drop[1], n[0] * drop[2],
+        n[1] * drop[0], n[1] * drop[1], n[1] * drop[2],
+        n[2] * drop[0], n[2] * drop[1], n[2] * drop[2],
     )  # fmt: skip
+    return add(across_it, scale9(bend, curves))
 
 
 @small

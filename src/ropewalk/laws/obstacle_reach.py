@@ -1,4 +1,4 @@
-"""Whether no node can touch an obstacle, found for all of them at once.
+"""Whether no node can touch an obstacle, found for all of them at once, or for a run of them.
 
 A contact presses with no more than c u - k g, u the speed at which a node comes and g its gap (see
 `contact`). Gaps are distances: no node's is smaller than that of one node less how far it is from there.
@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel
+from ropewalk.core.jit import kernel, small
 from ropewalk.laws.contact_frame import DAMP
 from ropewalk.laws.obstacle_pose import body_of, probe_turned
+from ropewalk.laws.obstacle_shapes import PLANE
 
+RUN = 32  # nodes that are looked at together once some of the rope is in reach
 ROUNDED = 1e-12  # [1] of the places: more than rounding does to a gap
 
 
@@ -49,3 +51,12 @@ def is_out_of_reach(x, v, obstacles, grip, o, pose, moved, speed, turning, lo, h
     fast += abs(speed[0]) + abs(speed[1]) + abs(speed[2])
     fast += (abs(turning[0]) + abs(turning[1]) + abs(turning[2])) * arm
     return soft * least > damped * fast
+
+
+@small
+def first_run(obstacles, o, lo, hi):
+    """Return where the first run of the nodes `lo` to `hi - 1` begins, `hi`: they are looked at one by one.
+
+    To ask a node how far it is from a plane takes no longer than to ask a run.
+    """
+    return hi if obstacles.kind[o] == PLANE or hi - lo <= RUN else lo
