@@ -83,16 +83,15 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             curves = curved(ca, cb, n, a) if bent else ZERO9
             before = load9(diagonal, i)
             block = add(before, press(n, drop, bend, curves))
-            mu = friction_at(grip, i, since)
-            bound, pull = mu * push, (0.0, 0.0, 0.0)
+            mu, pull = friction_at(grip, i, since), ZERO3
+            bound = mu * push
             if bound > 0.0:
                 vx, vy, vz = (
                     vx - (wy * oz - wz * oy),
                     vy - (wz * ox - wx * oz),
                     vz - (wx * oy - wy * ox),
                 )
-                kt = grip[STIFF, i]
-                kt, c = kt + per * c, own_speed * c
+                kt, c = grip[STIFF, i] + per * c, own_speed * c
                 sx, sy, sz = spring_pull(
                     kt, hub, axle, angle, then, grip, place, i, px, py, pz, turns
                 )
