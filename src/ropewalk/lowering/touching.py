@@ -61,10 +61,23 @@ class Contacts(NamedTuple):
 
         exp of the sum of sqrt((mu a)^2 - b^2), `friction` mu, a the turn towards the surface and b that
         within it: the rope presses with T a and needs T b across, which friction lacks along it. On a drum
-        that is exp(mu theta). A node that friction does not hold across adds nothing. See `statics.wraps`.
+        that is exp(mu theta). A node that friction does not hold across adds nothing. With a share of that,
+        see `using`, it is the same power of it: ln(ratio) / ln(ratio at slip) is taken. See `statics.wraps`.
         """
         spare = (friction * self.turn[rows]) ** 2 - self.aside[rows] ** 2
         return float(np.exp(np.sqrt(np.maximum(spare, 0.0)).sum()))
+
+    def using(self, share: float) -> Contacts:
+        """Return the same contacts with a share [1] of what friction has along the rope, as of `at_slip`.
+
+        That which is needed across stays: sqrt((s mu_a)^2 + (1 - s^2) b^2) of every contact, s the share.
+        """
+        across = np.divide(
+            self.aside, self.turn, out=np.zeros_like(self.aside), where=self.turn > 0.0
+        )
+        across = np.minimum(across, self.cone)
+        cone = np.sqrt((share * self.cone) ** 2 + (1.0 - share**2) * across**2)
+        return self._replace(cone=cone, off=share * self.off)
 
     @property
     def slips(self) -> NDArray[np.bool_]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,6 +26,7 @@ MANY = (
 _JAMS = 1e-9  # share of the pull that moves the rope on, below which it jams [1]
 _ROUNDING = 1e-6  # of a tension [1]
 _NOTHING = 0.05  # [%] of what friction can carry that is not told
+_TRIES, _CLOSE = 40, 1e-6  # for the share of friction that is taken, and how well [1]
 _AGAIN = 20  # times that a coefficient is found by the way a contact then carries
 _LEVEL = 1e-3  # [rad] a rope that turns by less lies straight
 
@@ -51,17 +53,10 @@ class Wrap:
     taken: float = (
         0.0  # sum of |R_t| over that of mu R_n [1]: the ends of what lies may slip by themselves
     )
+    # How much of what friction has along the rope it takes [1], NaN where the interval is: without weight
+    # ln(ratio) / ln(ratio at slip), as pages tell of runs; of a tail that lies, its pull over the most.
+    share: float = math.nan
     coarse: CoarseTurn = FINE  # how far the ratio of tensions errs
-
-    @property
-    def share(self) -> float:
-        """Tension over that at which it slips [1], the larger of both ways; NaN where none is known."""
-        if math.isnan(self.most):
-            return math.nan
-        pull = self.before if self.backward else self.after
-        ahead = pull / self.most if self.most > 0.0 else 0.0
-        back = self.least / pull if pull > 0.0 else 0.0
-        return max(ahead, back)
 
     @property
     def nodes(self) -> int:
@@ -109,8 +104,8 @@ class Wrap:
         return f"rope {self.rope!r}: {self.words}"
 
     def as_dict(self) -> dict[str, Any]:
-        """Plain values, with the share."""
-        return vars(self) | {"coarse": self.coarse._asdict(), "share": self.share}
+        """Plain values."""
+        return vars(self) | {"coarse": self.coarse._asdict()}
 
 
 def coarse_words(lie: tuple[Wrap, ...]) -> list[str]:
@@ -224,12 +219,14 @@ def _wrap(
     before = float(tension[first - 1]) if first > rope.start else 0.0
     after = float(tension[last]) if last < rope.end else 0.0
     held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 1))
-    least, most, back = math.nan, math.nan, False
+    least, most, back, share = math.nan, math.nan, False, math.nan
     if not held.any():
         least, most, back = _allowed(x, tension, others, contacts, rows, rope)
     pull = before if back else after
     if not (1.0 - _ROUNDING) * least <= pull <= (1.0 + _ROUNDING) * most:
         least = most = math.nan  # not by this contact alone: another body, or a press
+    else:
+        share = _share(pull, lambda s: _allowed(x, tension, others, contacts.using(s), rows, rope))
     body, made = (
         model.scene.obstacles[int(contacts.obstacle[rows[0]])],
         model.scene.rope_named(rope.name),
@@ -250,6 +247,7 @@ def _wrap(
         use=float(contacts.use[rows].max()),
         friction=friction,
         taken=_taken(contacts, rows),
+        share=share,
         coarse=coarse_turn(table, contacts, rows, x, friction, made.segment_length),
     )
 
@@ -258,6 +256,33 @@ def _taken(contacts: Contacts, rows: Ints) -> float:
     """Return which share [1] of what friction can carry these contacts do together; 0 without any."""
     most = float((contacts.friction[rows] * contacts.push[rows]).sum())
     return float(np.linalg.norm(contacts.rub[rows], axis=1).sum()) / most if most > 0.0 else 0.0
+
+
+def _share(pull: float, allowed: Callable[[float], tuple[float, float, bool]]) -> float:
+    """Return the least share of friction with which `allowed` holds a pull [N], by false position."""
+    least, most, _ = allowed(0.0)
+    if least <= pull <= most:
+        return 0.0
+    more = pull > most
+
+    def lacks(share: float) -> float:
+        least, most, _ = allowed(share)
+        return pull - most if more else least - pull
+
+    low, high = 0.0, 1.0
+    short, over = (pull - most if more else least - pull), lacks(1.0)
+    for _ in range(_TRIES):
+        if not over < 0.0 or high - low < _CLOSE:
+            break
+        inside = math.isfinite(over)
+        share = low + (high - low) * (short / (short - over) if inside else 0.5)
+        if (left := lacks(share)) > 0.0:
+            low, short, over = share, left, 0.5 * over
+        else:
+            high, over, short = share, left, 0.5 * short
+        if abs(left) < _CLOSE * pull:
+            return share
+    return high
 
 
 def _allowed(
