@@ -22,10 +22,13 @@ def ringing_note(result: Result, peak: Extreme) -> str:
 
     `implicit-midpoint` and `generalized-alpha` take forces of mid-step, or of a mean. What a segment bears at
     the end of a step swings about that by as much as waves that no step resolves have left in it: tensions of
-    tens of times a rope's own are seen beside anchor forces that are right.
+    tens of times a rope's own are seen beside anchor forces that are right. What it bore as the run began no
+    step has made.
     """
     plan = result.plan
     if result.status != FINISHED or plan.method not in RINGING or not peak.value > 0.0:
+        return ""
+    if peak.until <= result.time[0]:
         return ""
     name, _ = result.layout.rope_of(peak.place)
     rope = result.scene.rope_named(name)
