@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from typing import Any
 
@@ -16,9 +17,12 @@ from ropewalk.record.peak_energy import _told
 from ropewalk.record.too_low import anchor_too_low
 from ropewalk.scene import (
     Anchor,
+    Cylinder,
     Hanging,
+    Load,
     Material,
     Plane,
+    Polyline,
     Rope,
     RunSettings,
     Scene,
@@ -343,3 +347,22 @@ def test_a_safety_factor_of_the_largest_tension_says_to_see_there() -> None:
     assert table[use].startswith("see the largest tension")
     fine = rw.simulate(alone.replace(**{"run.method": "esdirk3", "run.time_step": 1 / 15360}))
     assert use not in fine.table
+
+
+def test_a_rope_at_rest_over_a_post_is_counted_for_nothing() -> None:
+    """Sweeps counted a peak that may be too low wherever a rope pressed as its tension was largest."""
+    turn = [math.pi * (1.0 - k / 24.0) for k in range(25)]
+    over = [(0.112 * math.cos(a), 0.0, 0.112 * math.sin(a)) for a in turn]
+    rope = Rope(
+        segments=30,
+        length=2.35,
+        diameter=0.02,
+        made_of=Material(EA=1e4, mass_per_length=0.05, axial_damping=20.0),
+        shape=Polyline(points=[(-0.111, 0, -1.0), *over, (0.111, 0, -1.0)]),
+        loads=[Load(node=0, mass=1.0), Load(node=-1, mass=1.0)],
+    )
+    post = Cylinder(start=(0, -1, 0), end=(0, 1, 0), radius=0.1, friction=0.3)
+    run = RunSettings(duration=0.1, method="esdirk3", time_step=1 / 960, start="at-rest")
+    result = rw.simulate(Scene(ropes=rope, obstacles=(post,), run=run))
+    assert result.table["largest force on an obstacle [N]"] > 20.0
+    assert kinds(result) == ()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.record.body_loads import body_loads, is_apart, of_nodes
 from ropewalk.record.extremes import SEEN, Extreme
 from ropewalk.record.landings import Landing
@@ -25,7 +26,6 @@ class Pressed(NamedTuple):
     name: str  # of the obstacle
     frame: int
     force: float  # [N]
-    before: float  # the force on it in the frame before; in the first frame, its own [N]
 
 
 def pressed_rows(result: Result, tension: Extreme, landings: Sequence[Landing]) -> dict[str, Any]:
@@ -58,7 +58,12 @@ def _note(
 ) -> tuple[str, str]:
     if _is_hard(result):
         return "", ""
-    return obstacle_too_low(result, found.frame, (found.before, found.force), tension, landings)
+
+    def sizes(first: int, last: int) -> Floats:
+        loads: Floats = body_loads(result, range(first, last), [found.name])[:, 0]
+        return loads
+
+    return obstacle_too_low(result, found.frame, sizes, tension, landings)
 
 
 def _is_hard(result: Result) -> bool:
@@ -83,11 +88,8 @@ def _largest(result: Result, *, few: bool) -> Pressed | None:
         at, row = divmod(int(np.argmax(loads[skip:])), len(names))
         most = float(loads[at + skip, row])
         if most > (best.force if best else 0.0):
-            best = Pressed(names[row], frames.start + at + skip, most, before=most)
-    if best is None or not best.frame:
-        return best
-    before = body_loads(result, range(best.frame - 1, best.frame), [best.name])
-    return best._replace(before=float(before[0, 0]))
+            best = Pressed(names[row], frames.start + at + skip, most)
+    return best
 
 
 def _most_pressed(result: Result, first: int) -> list[int]:

@@ -9,12 +9,12 @@ import numpy as np
 from ropewalk.engine.unsolved import CALMER, RINGING
 from ropewalk.record.extremes import Extreme
 from ropewalk.record.facts import FINISHED
-from ropewalk.record.tension_notes import RESOLVED, SHORT_WITHIN, wave_time
+from ropewalk.record.tension_notes import RESOLVED, SHORT, SHORT_WITHIN, wave_time
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-CALM = 0.9  # [1] of a peak: what is there a step before and after it, and beside it, where nothing rings
+CALM = 0.9  # [1] of a peak: what is there beside it, where nothing rings
 
 
 def ringing_note(result: Result, peak: Extreme) -> str:
@@ -52,7 +52,7 @@ def _rings(result: Result, peak: Extreme) -> bool:
     frames = slice(max(frame - 1, 0), min(frame + 2, result.frames))
     beside = result.read("tension", frames.start, frames.stop)[:, peak.place]
     within = min(float(result.read(name, frame, frame + 1)[0, peak.place]) for name in names)
-    least = SHORT_WITHIN if result.plan.steps_per_frame > 1 else CALM
+    least = SHORT_WITHIN if result.plan.steps_per_frame > 1 else SHORT
     if min(float(beside.min()), within) < least * peak.value:
         return True
     span = result.layout.span(result.layout.rope_of(peak.place)[0])

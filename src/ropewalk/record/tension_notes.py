@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.methods.registry import METHODS
 from ropewalk.record.balances import SLACK
 from ropewalk.record.end_weight import weight_note
@@ -34,6 +36,22 @@ _ROUNDING = 1e-6  # [1] of the largest tension: a smaller push is none
 _LESS = 0.002  # [1] of the largest tension: an anchor's force that is less by so much is told
 
 
+#: What a peak is one of, in frames from one on to another [N].
+Sizes = Callable[[int, int], Floats]
+
+
+def tensions(result: Result, segment: int) -> Sizes:
+    """Return the tensions of a segment."""
+    return lambda first, last: result.read("tension", first, last)[:, segment]
+
+
+def reactions(result: Result, anchor: int) -> Sizes:
+    """Return the sizes of an anchor's force."""
+    return lambda first, last: np.linalg.norm(
+        result.read("reactions", first, last)[:, anchor], axis=1
+    )
+
+
 def tension_note(result: Result, peak: Extreme) -> str:
     """Say how good the largest tension can be where a jerk makes it in steps too long for it; else "".
 
@@ -54,7 +72,7 @@ def tension_note(result: Result, peak: Extreme) -> str:
         return ""
     if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
-    before, _ = _beside(result, peak, frame)
+    before, _ = _beside(result, peak, frame, tensions(result, peak.place))
     if not before < JERK * peak.value:
         return ""
     share = percent(100.0 * max(before, 0.0) / peak.value)
@@ -70,10 +88,10 @@ def tension_note(result: Result, peak: Extreme) -> str:
     )
 
 
-def _beside(result: Result, peak: Extreme, frame: int) -> tuple[float, float]:
-    """Return the tensions of a peak's segment [N] in the frame before it and in the first one after it."""
+def _beside(result: Result, peak: Extreme, frame: int, sizes: Sizes) -> tuple[float, float]:
+    """Return what there is of a peak [N] in the frame before it and in the first one after it."""
     last = min(frame + (peak.until >= result.time[frame]), result.frames - 1)
-    there = result.read("tension", frame - 1, last + 1)[:, peak.place]
+    there = sizes(frame - 1, last + 1)
     return float(there[0]), float(there[-1])
 
 
@@ -84,11 +102,11 @@ def short_lived(plan: Plan, before: float, after: float) -> bool:
     )
 
 
-def short_note(result: Result, peak: Extreme) -> str:
+def short_note(result: Result, peak: Extreme, sizes: Sizes | None = None) -> str:
     """Say that the largest tension lasts a step or two, and may be too low; else "".
 
     Of steps of one length that follow no wave through a segment. What came slowly is no such peak, however
-    soon it ends: a rope that is let go.
+    soon it ends: a rope that is let go. `sizes`: of another force, of a rope with the segment `peak.place`.
     """
     plan = result.plan
     if result.status != FINISHED or plan.method not in METHODS or plan.tolerance is not None:
@@ -101,7 +119,8 @@ def short_note(result: Result, peak: Extreme) -> str:
         return ""
     if peak.value < SLACK * rope.segment_stiffness * rope.segment_length:
         return ""
-    shares = [there / peak.value for there in _beside(result, peak, frame)]
+    sizes = sizes or tensions(result, peak.place)
+    shares = [there / peak.value for there in _beside(result, peak, frame, sizes)]
     if not short_lived(plan, *shares):
         return ""
     before, after = (percent(100.0 * max(share, 0.0)) for share in shares)

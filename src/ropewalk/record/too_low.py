@@ -19,7 +19,14 @@ from ropewalk.record.landings import Landing
 from ropewalk.record.margins import breaking_load
 from ropewalk.record.peak_energy import peak_energy_note
 from ropewalk.record.ringing_note import ringing_note
-from ropewalk.record.tension_notes import JERK, short_note, tension_note
+from ropewalk.record.tension_notes import (
+    JERK,
+    Sizes,
+    reactions,
+    short_note,
+    tension_note,
+    tensions,
+)
 from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
@@ -49,8 +56,15 @@ def tension_too_low(result: Result, peak: Extreme) -> Told:
     """Return why the largest tension may be too low."""
     if text := ringing_note(result, peak) or tension_note(result, peak):
         return "peak may be wrong", text
-    short, lost = short_note(result, peak), peak_energy_note(result, peak)
-    kind = "peak may be too low" if lost or not short else "peak may be wrong"
+    return _by_shape(result, peak, tensions(result, peak.place))
+
+
+def _by_shape(result: Result, peak: Extreme, sizes: Sizes) -> Told:
+    """Return why a force may be too low, by what it was about its time and by what was lost until then."""
+    short, lost = short_note(result, peak, sizes), peak_energy_note(result, peak, sizes)
+    if not (short or lost):
+        return "", ""
+    kind = "peak may be too low" if lost else "peak may be wrong"
     return kind, "; ".join(text for text in (short, lost) if text)
 
 
@@ -78,27 +92,33 @@ def anchor_too_low(
     landing = max(landings, key=lambda one: one.held, default=None)
     if landing is not None and force.value < _LOWER * landing.held:
         return "landing not shown", landing.words(landing.held, _steps(result))
-    layout = result.layout
-    if not (force.value > 0.0 and tension.value > 0.0):
+    if not force.value > 0.0:
         return "", ""
-    names = [layout.rope_of(one)[0] for one in (layout.anchor_nodes[force.place], tension.place)]
-    if names[0] not in joined_ropes(result.scene, layout, names[1:]):
-        return "", ""
-    return _as_there(result, int(np.searchsorted(result.time, force.until)), tension)
+    layout, node = result.layout, result.layout.anchor_nodes[force.place]
+    name, _ = layout.rope_of(node)
+    if tension.value > 0.0 and name in joined_ropes(
+        result.scene, layout, [layout.rope_of(tension.place)[0]]
+    ):
+        told = _as_there(result, int(np.searchsorted(result.time, force.until)), tension)
+        if told[1]:
+            return told
+    own = force._replace(place=min(node, layout.span(name).last - 1))
+    return _by_shape(result, own, reactions(result, force.place))
 
 
 def obstacle_too_low(
     result: Result,
     frame: int,
-    forces: tuple[float, float],
+    sizes: Sizes,
     tension: Extreme,
     landings: Sequence[Landing],
 ) -> Told:
     """Return why the largest of the forces on an obstacle in frames may be too low.
 
-    `frame` is the one of the largest, `forces` are those of the frame before and of that one [N].
+    `frame` is the one of the largest, `sizes` returns the forces on that obstacle.
     """
-    (before, most), plan = forces, result.plan
+    around, plan = sizes(max(frame - 1, 0), frame + 1), result.plan
+    before, most = float(around[0]), float(around[-1])
     landing = max(landings, key=lambda one: one.force, default=None)
     if landing is not None and most < _LOWER * landing.force:
         by = f"{_steps(result)}, or frames between which there are some,"
@@ -113,14 +133,18 @@ def obstacle_too_low(
             f"from {share} of it one frame before: between two frames there may be far more; a higher "
             "frame_rate, up to a frame a step, shows it"
         )
-    if not tension.value > 0.0:
-        return "", ""
-    name, _ = result.layout.rope_of(tension.place)
-    span = result.layout.span(name)
-    pressed = np.nan_to_num(result.read(of_nodes(result), frame, frame + 1))
-    if not pressed[0, span.first : span.last + 1].any():
-        return "", ""
-    return _as_there(result, frame, tension)
+    pressed = np.nan_to_num(result.read(of_nodes(result), frame, frame + 1)[0])
+    if tension.value > 0.0:
+        span = result.layout.span(result.layout.rope_of(tension.place)[0])
+        if pressed[span.first : span.last + 1].any():
+            told = _as_there(result, frame, tension)
+            if told[1]:
+                return told
+    node, time = int(np.argmax((pressed**2).sum(axis=1))), float(result.time[frame])
+    last = result.layout.span(result.layout.rope_of(node)[0]).last
+    own = Extreme(most, min(node, last - 1), time, time, every_step=False)
+    lost = peak_energy_note(result, own, sizes)
+    return "peak may be too low" if lost else "", lost
 
 
 def _as_there(result: Result, frame: int, tension: Extreme) -> Told:
@@ -128,7 +152,7 @@ def _as_there(result: Result, frame: int, tension: Extreme) -> Told:
     if abs(frame - int(np.searchsorted(result.time, tension.until))) > _ABOUT:
         return "", ""
     kind, text = tension_too_low(result, tension)
-    return kind, _AS_THERE[kind] if text else ""
+    return (kind, _AS_THERE[kind]) if text else ("", "")
 
 
 def _steps(result: Result) -> str:
