@@ -48,6 +48,7 @@ WHOLE = {
     'kind = "box"\ncenter = [0, 0, -1]\nhalf_sizes = [1, -1, 1]\nedge_radius = 0.1': "half_sizes: [1.0, -1.0",
     'kind = "box"\ncenter = [0, 0, -1]\nhalf_sizes = [1, 1, 1]\nedge_radius = 2': "edge_radius: 2.0 - must",
     'kind = "plain"': 'did you mean "plane"?',
+    'kind = "sdf"': "obstacle[0].file: missing - give file, values with spacing, or vertices and faces",
     "friction = 0.2": "obstacle[0].kind: missing - must be one of",
 }
 #: A line of the [contact] table, and what is said of it.

@@ -50,7 +50,7 @@ class _Surface(Tumbling):
         from ropewalk.scene.surfaces import joined_where_open
 
         if not self.vertices or not self.faces:
-            refuse([Fault(source, MISSING, f"give {source}, or vertices and faces")])
+            refuse([Fault("file", MISSING, f"give {source}, or vertices and faces")])
         if len(self.faces) > MOST_FACES:
             rule = f"must be at most {MOST_FACES}: make it coarser"
             refuse([Fault("faces", f"{len(self.faces)} triangles", rule)])
@@ -135,5 +135,5 @@ class Sdf(_Surface):
 
     @model_validator(mode="after")
     def _check(self) -> Sdf:
-        self._check_surface("file or values with spacing")
+        self._check_surface("file, values with spacing")
         return self
