@@ -116,7 +116,19 @@ def test_below_breaking_it_is_not_known_of_what_the_limiter_would_hold() -> None
     a, b = rw.check(loaded(5e3), measure=False).as_dict()["ropes"]
     assert (a["utilisation"], a["worst"], a["doubt"]) == (None, None, None)
     assert b["worst"] == pytest.approx(0.1579, rel=1e-3)
-    assert "largest utilisation of the breaking load [%]" not in rw.equilibrium(loaded(5e3)).table
+    rest = rw.equilibrium(loaded(5e3))
+    used = "largest utilisation of the breaking load"
+    assert f"{used} [%]" not in rest.table
+    others = (
+        "not known at rest of rope 'a', for the stretch limiter; of the others rope 'b' comes nearest, "
+        "15.8 % of the breaking load, safety factor 6.33"
+    )
+    assert rest.table[f"about the {used}"] == others
+    made = rw.sheet(loaded(5e3), run=False, convergence=False)
+    said = [item.words for item in made.section("At rest").items if isinstance(item, Text)]
+    assert f"How near to breaking is {others}." in said
+    alone = rw.equilibrium(span(1.0)).table[f"about the {used}"]
+    assert alone == "not known at rest of rope 'rope', for the stretch limiter"
 
 
 def test_what_is_joined_to_it_is_not_known_either() -> None:

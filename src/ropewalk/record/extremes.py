@@ -19,7 +19,10 @@ from ropewalk.record.margins import (
     Margin,
     breaking_load,
     breaking_loads,
+    doubt_words,
     guessed_worst,
+    margin_of,
+    margin_words,
     utilisations,
 )
 from ropewalk.record.quantities import has_rope, rest_length_at_start
@@ -160,6 +163,33 @@ def margin(result: Result, found: dict[str, Extreme]) -> Margin | None:
     if least_worst(scene.rope_named(told.doubted), told.as_given) <= 1.0:
         return None
     return told._replace(least=told.name not in changed - beyond)  # what is joined may be relieved
+
+
+def margin_of_others(result: Result, found: dict[str, Extreme]) -> str:
+    """Return whose margin at rest a stretch limiter leaves open, and what the other ropes' is; else ""."""
+    changed, scene = _limited(result, found)[1], result.scene
+    loads = breaking_loads(scene, result.layout)
+    if loads is None or not changed or margin(result, found) is not None:
+        return ""
+    names = [
+        repr(rope.name)
+        for rope in scene.ropes
+        if rope.name in changed and breaking_load(rope) is not None
+    ]
+    whose = f"rope {names[0]}" if len(names) == 1 else f"ropes {', '.join(names)}"
+    told = f"not known at rest of {whose}, for the stretch limiter"
+    shares = {
+        name: _borne(result, segment).most / float(loads[segment])
+        for segment in _pulled_most(result)
+        if (name := result.layout.rope_of(segment)[0]) not in changed
+        and math.isfinite(loads[segment])
+    }
+    if not shares:
+        return told
+    near = margin_of(scene, shares)
+    told += f"; of the others rope {near.name!r} comes nearest, {margin_words(near.utilisation)}"
+    doubt = doubt_words(scene, near)
+    return f"{told}; {doubt}" if doubt else told
 
 
 def _limited(result: Result, found: dict[str, Extreme]) -> tuple[set[str], set[str]]:

@@ -12,7 +12,15 @@ from ropewalk.record.balances import energy_note, lost_note
 from ropewalk.record.coarse_note import coarse_note
 from ropewalk.record.deep_note import deep_note
 from ropewalk.record.ends import shortly
-from ropewalk.record.extremes import SEEN, UTILISATION, Extreme, extremes, margin, place_of
+from ropewalk.record.extremes import (
+    SEEN,
+    UTILISATION,
+    Extreme,
+    extremes,
+    margin,
+    margin_of_others,
+    place_of,
+)
 from ropewalk.record.facts import AT_REST, BROKE
 from ropewalk.record.landings import landings_of
 from ropewalk.record.limiter_at_rest import rest_limiter_note
@@ -156,7 +164,10 @@ def _margins(result: Result, found: dict[str, Extreme], notes: dict[str, Note]) 
     place = place.partition(",")[0] if result.status == AT_REST else place
     near = margin(result, found)
     note = notes.get(UTILISATION, ("", ""))[1]
-    return margin_rows(near, place, result.scene, note) if near is not None else {}
+    if near is not None:
+        return margin_rows(near, place, result.scene, note)
+    others = margin_of_others(result, found)
+    return {"about the largest utilisation of the breaking load": others} if others else {}
 
 
 def _steps(result: Result) -> dict[str, Any]:

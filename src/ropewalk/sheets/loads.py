@@ -7,10 +7,16 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ropewalk.record.extremes import UTILISATION, Extreme, extremes, margin, place_of
+from ropewalk.record.extremes import (
+    UTILISATION,
+    Extreme,
+    extremes,
+    margin,
+    margin_of_others,
+    place_of,
+)
 from ropewalk.record.hard_stops import hard_note
 from ropewalk.record.landings import landings_of
-from ropewalk.record.limiter_at_rest import rests_beyond
 from ropewalk.record.margins import Margin, doubt_words, margin_bounds
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
@@ -340,9 +346,8 @@ def _margin_cells(result: Result, near: Margin | None) -> tuple[str, str]:
 def _utilisation(result: Result, then: str) -> list[Item]:
     found = extremes(result)
     near = margin(result, found)
-    if near is None and rests_beyond(result, found):
-        unknown = "How near to breaking is not known at rest, for the stretch limiter."
-        return [Text(unknown, warning=True)]
+    if near is None and (others := margin_of_others(result, found)):
+        return [Text(f"How near to breaking is {others}.", warning=True)]
     if near is None:
         return [Text("No breaking load is given: how near to breaking is not known.", warning=True)]
     place = place_of(result, UTILISATION, found[UTILISATION])
