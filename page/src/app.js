@@ -70,7 +70,7 @@ export class App {
       this.viewport,
       this.scene,
       (node) => this.follow(node),
-      (text) => this.notices.say(text),
+      (text, kind) => this.notices.say(text, kind),
     );
     this.pointer = new Pointer(this.viewport, this.viewport.renderer.canvas, {
       use: (tool, hit) => this.tools.use(tool, hit),

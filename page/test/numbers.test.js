@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { Range, figures, marks, quantity, round } from "../src/view/range.js";
-import { fieldText, placeOf, readNumber, valueAt } from "../src/panels/scale.js";
+import { fieldText, placeOf, noNumber, readNumber, valueAt } from "../src/panels/scale.js";
 import { History } from "../src/graphs/history.js";
 import { distance } from "../src/input/pick.js";
 import { speedText } from "../src/panels/controls.js";
@@ -67,6 +67,24 @@ test("numbers as people type them", () => {
   assert.equal(readNumber("−2e3"), -2000);
   assert.ok(Number.isNaN(readNumber("")));
   assert.ok(Number.isNaN(readNumber("two")));
+  assert.ok(Number.isNaN(readNumber("1,000"))); // a thousand, or one?
+  assert.ok(Number.isNaN(readNumber("0x10")));
+});
+
+test("what is wrong with what is no number", () => {
+  const right = ["", " ", "0.3", ".3", "3.", "0,125", "-2e-3", "−2E3", "+1", "12,5"];
+  assert.deepEqual(
+    right.map((text) => noNumber(text)),
+    right.map(() => ""),
+  );
+  assert.equal(noNumber("abc"), "abc: is no number");
+  for (const text of ["nan", "inf", "-Infinity", "∞", "1e999"])
+    assert.equal(noNumber(text), `${text}: must be a finite number`);
+  assert.equal(noNumber(" 30 % "), "30 %: write 0.3");
+  assert.equal(noNumber("0.3 N", "N/m"), "0.3 N: write the number alone, in N/m");
+  assert.equal(noNumber("0.3 N"), "0.3 N: write the number alone");
+  assert.equal(noNumber("1,250", "N"), "1,250: a comma is a decimal point here; write 1250");
+  assert.equal(noNumber("1,250.5"), "1,250.5: a comma is a decimal point here; write 1250.5");
 });
 
 test("numbers that fit into their field", () => {

@@ -162,6 +162,39 @@ def test_what_is_out_of_range_is_refused_with_the_range(open_window: Open, serve
     window.until("r.session.layout.variants[0].nodes === 51")
 
 
+def test_what_is_no_number_is_said_at_its_field(open_window: Open, serve: Serve) -> None:
+    """It was put back without a word."""
+    server = serve(Session(preset("capstan"), "capstan"))
+    window = open_window(server.address, viewport=SIZE).ready()
+    _folder(window, "More")
+    for row in ("obstacle_friction", "mass", "segments", "gravity", "time_step"):
+        field = window.page.locator(f"{_row(row)} input[type=text]").first
+        fault = window.page.locator(f"{_row(row)} .fault")
+        before = field.input_value()
+        for typed, said in (("abc", "abc: is no number"), ("nan", "finite"), ("30 %", "0.3")):
+            field.fill(typed)
+            field.press("Enter")
+            fault.wait_for()
+            assert said in fault.inner_text()
+        field.blur()
+        assert field.input_value() == before
+        field.fill("0.3 N")
+        field.blur()
+        assert "write the number alone" in fault.inner_text()
+        assert field.input_value() == before
+        field.fill(before)
+        field.press("Enter")
+        fault.wait_for(state="hidden")
+    assert _value(server, "obstacle_friction") == 0.3
+    window.page.locator("#pull-limit").fill("-3")
+    window.page.locator("#pull-limit").press("Enter")
+    window.heard("-3: must be positive")
+    window.click("#tool-load")
+    window.page.locator("#load-mass").fill("2 kg")
+    window.page.locator("#load-mass").press("Enter")
+    window.heard("2 kg: write the number alone, in kg")
+
+
 @pytest.mark.parametrize("size", [SIZE, {"width": 390, "height": 844}], ids=["wide", "phone"])
 def test_every_number_fits_into_its_field(open_window: Open, serve: Serve, size: Any) -> None:
     server = serve(Session(slack_rope()))

@@ -5,12 +5,12 @@ import { colourOf } from "../view/copies.js";
 import { PLAYING, scalar } from "../source/frame.js";
 import { quantity, unitText } from "../view/range.js";
 import { dialog, h } from "./dom.js";
-import { fieldText, readNumber } from "./scale.js";
+import { fieldText, noNumber, readNumber } from "./scale.js";
 import { placeOn } from "../view/cards.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
-/** @typedef {{name: string, value: any}} Change */
+/** `fault`: what is wrong with what was typed. @typedef {{name: string, value: any, fault?: string}} Change */
 
 const IDEAS = ["bdf2", "rk4"]; // methods worth a first comparison
 const MOST = 3; // copies besides the scene itself
@@ -184,7 +184,10 @@ export class Compare {
       inputMode: "decimal",
       "aria-label": parameter.label,
       value: typeof change.value === "number" ? fieldText(change.value) : "",
-      oninput: () => (change.value = readNumber(field.value)),
+      oninput: () => {
+        change.value = readNumber(field.value);
+        change.fault = noNumber(field.value, unitText(parameter.unit));
+      },
     });
     return h("label", {}, field, unitText(parameter.unit));
   }
@@ -202,6 +205,8 @@ export class Compare {
       changes: { [change.name]: change.value },
     }));
     try {
+      const typed = this.changes.find(({ fault }) => fault);
+      if (typed) throw { text: typed.fault };
       await this.viewport.session.ask({ type: "compare", variants });
       this.fault.hidden = true;
       this.window.close();

@@ -2,8 +2,9 @@
 
 import { Controller } from "lil-gui";
 
+import { unitText } from "../view/range.js";
 import { h } from "./dom.js";
-import { fieldText, placeOf, readNumber, valueAt } from "./scale.js";
+import { fieldText, noNumber, placeOf, readNumber, valueAt } from "./scale.js";
 
 /** @typedef {import("lil-gui").GUI} GUI */
 /** @typedef {import("../source/protocol.js").Parameter} Parameter */
@@ -20,6 +21,7 @@ export class QuantityController extends Base {
   constructor(parent, object, parameter) {
     super(parent, object, "value", "quantity");
     this.parameter = parameter;
+    this.refused = (/** @type {string} */ fault) => {}; // told what is wrong with what was typed, "" for nothing
     this.sliding = false;
     this.slider = h("input", {
       type: "range",
@@ -43,6 +45,7 @@ export class QuantityController extends Base {
       autocomplete: "off",
       "aria-label": `${parameter.label} [${parameter.unit}]`,
       onchange: () => this.commit(),
+      onblur: () => this.updateDisplay(),
       onkeydown: (/** @type {KeyboardEvent} */ event) => {
         if (event.key === "Enter") this.commit();
       },
@@ -60,8 +63,12 @@ export class QuantityController extends Base {
     const now = this.getValue();
     const shown = now !== null && this.field.value === fieldText(now); // rounded, so not taken for a wish
     const value = shown ? now : readNumber(this.field.value);
-    if (Number.isFinite(value) && value !== now) this.setValue(value);
-    else this.updateDisplay();
+    if (Number.isFinite(value) && value !== now) {
+      this.setValue(value);
+      return;
+    }
+    this.refused(shown ? "" : noNumber(this.field.value, unitText(this.parameter.unit)));
+    this.updateDisplay();
   }
 
   updateDisplay() {
@@ -91,6 +98,8 @@ export class VectorController extends Base {
   /** @param {GUI} parent @param {{value: number[]}} object @param {Parameter} parameter */
   constructor(parent, object, parameter) {
     super(parent, object, "value", "vector");
+    this.refused = (/** @type {string} */ fault) => {}; // told as that of one number is
+    this.unit = unitText(parameter.unit);
     this.fields = ["x", "y", "z"].map((axis) =>
       h("input", {
         type: "text",
@@ -99,6 +108,10 @@ export class VectorController extends Base {
         autocomplete: "off",
         "aria-label": `${parameter.label} ${axis} [${parameter.unit}]`,
         onchange: () => this.commit(),
+        onblur: () => this.updateDisplay(),
+        onkeydown: (/** @type {KeyboardEvent} */ event) => {
+          if (event.key === "Enter") this.commit();
+        },
       }),
     );
     this.$widget.append(...this.fields);
@@ -111,8 +124,14 @@ export class VectorController extends Base {
       (/** @type {HTMLInputElement} */ { value }, /** @type {number} */ i) =>
         value === this.text(now[i]) ? now[i] : readNumber(value),
     );
-    if (values.every(Number.isFinite)) this.setValue(values);
-    else this.updateDisplay();
+    if (values.every(Number.isFinite)) {
+      this.setValue(values);
+      return;
+    }
+    const typed = this.fields.map((/** @type {HTMLInputElement} */ { value }) => value);
+    const faults = typed.map((/** @type {string} */ one) => noNumber(one, this.unit));
+    this.refused(faults.find(Boolean) ?? "");
+    this.updateDisplay();
   }
 
   updateDisplay() {

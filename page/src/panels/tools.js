@@ -5,7 +5,7 @@ import { ofFirst } from "../input/counterpart.js";
 import { figures } from "../view/range.js";
 import { times } from "../view/vector.js";
 import { button, h, popup, unfolder } from "./dom.js";
-import { readNumber } from "./scale.js";
+import { noNumber, readNumber } from "./scale.js";
 
 /** @typedef {import("../viewport.js").Viewport} Viewport */
 /** @typedef {import("../input/pointer.js").Pointer} Pointer */
@@ -26,7 +26,7 @@ const TOOLS =
 
 export class Tools {
   /** @param {Viewport} viewport @param {HTMLElement} host @param {(node: number) => void} follow
-   * @param {(text: string) => () => void} say returns what takes the words away */
+   * @param {(text: string, kind?: "note" | "fault") => () => void} say returns what takes the words away */
   constructor(viewport, host, follow, say) {
     this.viewport = viewport;
     this.host = host;
@@ -49,7 +49,9 @@ export class Tools {
       id: "load-mass",
       "aria-label": "Mass to hang [kg]",
       onchange: () => {
-        const mass = readNumber(this.massField.value);
+        const typed = this.massField.value;
+        const mass = readNumber(typed);
+        this.refuse(typed, "kg", mass < 0 ? "a mass must not be negative" : "");
         if (mass >= 0) this.mass = mass;
         this.massField.value = String(this.mass);
         this.massField.blur(); // the keys are the rope's again
@@ -92,11 +94,20 @@ export class Tools {
   }
 
   limitPull() {
-    const newtons = readNumber(this.pullField.value);
+    const typed = this.pullField.value;
+    const newtons = readNumber(typed);
+    this.refuse(typed, "N", newtons <= 0 ? "must be positive; leave it empty for 20 weights" : "");
     const limit = newtons > 0 ? newtons : null;
     if (this.pointer) this.pointer.limit = limit;
     this.pullField.value = limit === null ? "" : String(limit);
     this.pullField.blur(); // the keys are the rope's again
+  }
+
+  /** Say what is wrong with what was typed. @param {string} typed @param {string} unit of the field
+   * @param {string} rule that it breaks as a number, "" for none */
+  refuse(typed, unit, rule) {
+    const fault = rule ? `${typed.trim()}: ${rule}` : noNumber(typed, unit);
+    if (fault) this.say(fault, "fault");
   }
 
   /** Use a tool on what was pressed. @param {Tool} tool @param {Hit} hit */

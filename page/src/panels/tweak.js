@@ -119,6 +119,7 @@ export class Tweak {
     controller.$name.append(h("span", {}, parameter.label), unit && h("em", {}, unit), back);
     controller.domElement.append(fault);
     controller.domElement.dataset.parameter = parameter.name;
+    controller.refused = (/** @type {string} */ text) => this.fault(parameter.name, text);
     controller.onChange((/** @type {any} */ value) => this.set(parameter.name, value));
     const row = { parameter, holder, controller, back, fault };
     this.rows.set(parameter.name, row);
