@@ -18,6 +18,7 @@ from ropewalk.analysis.json_values import plain
 from ropewalk.analysis.knot_notes import knot_warnings
 from ropewalk.analysis.near_starts import near_start_warnings
 from ropewalk.analysis.obstacle_notes import obstacle_warnings
+from ropewalk.analysis.pair_starts import pair_start_warnings
 from ropewalk.analysis.plan_notes import plan_notes
 from ropewalk.analysis.rebound_notes import rebound_warnings
 from ropewalk.analysis.release_notes import release_warnings
@@ -284,7 +285,7 @@ def _warnings(
     warnings += limiter_warnings(model, statics) + rest_warnings(model, statics)
     warnings += bending_warnings(model) + obstacle_warnings(model, statics)
     warnings += facet_warnings(model, statics) + near_start_warnings(model)
-    warnings += rebound_warnings(model, statics)
+    warnings += pair_start_warnings(model) + rebound_warnings(model, statics)
     warnings += slide_warnings(model) + knot_warnings(model)
     warnings += swing_warnings(model) + release_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
