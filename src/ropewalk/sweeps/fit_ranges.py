@@ -51,7 +51,9 @@ def make_scales(scene: Scene, ranges: Mapping[str, Any]) -> dict[str, Scale]:
     made = {}
     for path, pair in ranges.items():
         try:
-            low, high = (float(value) for value in without_units(path, pair, _unit(scene, path)))
+            low, high = (
+                float(value) for value in without_units(path, pair, unit_of_path(scene, path))
+            )
         except SceneError as error:
             faults += error.faults
             continue
@@ -70,7 +72,7 @@ def make_scales(scene: Scene, ranges: Mapping[str, Any]) -> dict[str, Scale]:
     return made
 
 
-def _unit(scene: Scene, path: str) -> str:
+def unit_of_path(scene: Scene, path: str) -> str:
     """Return the unit of what a path leads to, "" of what has none. Raises SceneError of a wrong path."""
     return unit_of(Places(scene, [path]).field(0)[0]) or ""
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -19,6 +19,10 @@ _TIED = 0.98  # correlation of values that the measurement hardly tells apart
 _TINY = 1e-12
 _AT = 1e-3  # of the range: nearer to an end of it is at it
 _UNSEEN = "{} does not show in this measurement."
+_TURNS = (
+    "{0} fits where the measurement turns: it hardly changes with {0} just there, so the interval from the "
+    "covariance is too wide; that of the profile holds."
+)
 
 
 @dataclass(frozen=True)
@@ -98,6 +102,25 @@ def _words(
                     "loses the other makes up."
                 )
     return told
+
+
+def with_turns(
+    findings: Findings, names: Sequence[str], moves: Callable[[int], float]
+) -> tuple[Findings, list[bool]]:
+    """Return the findings, and which values do show, though not by their slopes at the fit.
+
+    `moves` gives how much the residuals change at most, as a sum of squares, along the range of a value.
+    """
+    # What is unseen moves them at most by the threshold over `_WIDE` if its slope is the same all along.
+    rise = 4.0 * findings.quantile**2 * findings.variance
+    turns = [
+        _UNSEEN.format(name) in findings.words and moves(i) > rise for i, name in enumerate(names)
+    ]
+    instead = {
+        _UNSEEN.format(n): _TURNS.format(n) for n, turn in zip(names, turns, strict=True) if turn
+    }
+    words = tuple(instead.get(text, text) for text in findings.words)
+    return replace(findings, words=words), turns
 
 
 def verdict(
