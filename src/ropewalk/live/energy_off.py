@@ -36,7 +36,9 @@ class Now(NamedTuple):
 
 
 class Balance(NamedTuple):
-    """What a session has turned over since its begin or last reset, and how far it was off.
+    """What a session has turned over since its step was chosen, and how far it was off since then.
+
+    Counted from the begin, a fall long ago would hide what a step errs in small motions.
 
     As the table of a run counts it, see `record.turnover`: of the energies as seen at rest and by who goes
     along with pieces the smaller account counts, and what friction of surfaces had taken when the error came.
@@ -53,17 +55,28 @@ class Balance(NamedTuple):
     fallen: float = 0.0  # the largest error of what falls freely since the step was chosen [J]
     began: float = 0.0  # ... and what was counted of it then
     carried: Carried = Carried()
+    now: tuple[float, ...] = ()  # forms as last seen [J]
+    took: float = 0.0  # what friction had taken when the step was chosen [J]
 
     @classmethod
     def begun(cls, elastic: float) -> Balance:
         """Return that of a begin with so much elastic energy [J]."""
         begin = Now(0.0, 0.0, elastic).forms
-        return cls(begin, begin)
+        return cls(begin, begin, now=begin)
 
     def again(self) -> Balance:
-        """Count the error from now on: another step has been chosen."""
-        began = self.carried.fallen
-        return self._replace(error=0.0, base=self.last, when=self.taken, fallen=0.0, began=began)
+        """Count from now on: another step has been chosen. What moves now is turned over."""
+        kinetic, gravity, elastic, own_kinetic, own_gravity = self.now
+        return self._replace(
+            low=(0.0, gravity, elastic, min(0.0, own_kinetic), own_gravity),
+            high=(kinetic, gravity, elastic, max(0.0, own_kinetic), own_gravity),
+            error=0.0,
+            base=self.last,
+            when=self.taken,
+            took=self.taken,
+            fallen=0.0,
+            began=self.carried.fallen,
+        )
 
     def later(self, now: Now, error: float) -> Balance:
         """Return it with energies and error of a later time [J]; those that are not finite tell nothing."""
@@ -86,6 +99,8 @@ class Balance(NamedTuple):
             max(self.fallen, abs(carried.fallen - self.began)),
             self.began,
             carried,
+            tuple(known),
+            self.took,
         )
 
     @property
@@ -95,7 +110,7 @@ class Balance(NamedTuple):
             high - low for low, high in zip(self.low, self.high, strict=True)
         )
         rest = max(kinetic, gravity, elastic)
-        turned = max(self.when, min(rest, max(elastic, *own)), _LEAST * rest)
+        turned = max(self.when - self.took, min(rest, max(elastic, *own)), _LEAST * rest)
         error = self.error
         if self.fallen * turned > error * rest:  # what falls has an account of its own
             error, turned = self.fallen, rest
