@@ -115,9 +115,9 @@ def test_nothing_is_said_of_a_hitch_about_its_post(knot: str, where: dict[str, A
         (0.0285, (0.02, 0.02, 0.3), 0.003, 0.0),
         (0.0285, (0.02, 0.02, 0.3), 0.003, 0.4),
         (0.027, (0.025, 0.01, 0.3), 0.003, 0.0),
-        (0.0255, (0.025, 0.002, 0.3), 0.002, 0.5),
+        (0.0255, (0.025, 0.006, 0.3), 0.003, 0.5),
     ],
-    ids=["square", "square, turned", "flat", "a strip, turned"],
+    ids=["square", "square, turned", "flat", "flatter, turned"],
 )
 def test_nothing_is_said_of_a_hitch_about_a_post_that_is_not_round(
     knot: str, post_radius: float, half_sizes: Any, edge_radius: float, turned: float
@@ -129,6 +129,18 @@ def test_nothing_is_said_of_a_hitch_about_a_post_that_is_not_round(
     assert knot_warnings(build(_about(bar, knot=knot, post_radius=post_radius))) == []
     (found,) = knot_warnings(build(_about(bar, knot=knot, post_radius=1.5 * post_radius)))
     assert f"no post of about {1.5 * post_radius:g} m radius" in found
+
+
+@pytest.mark.parametrize("knot", _HITCHES)
+@pytest.mark.parametrize("thick", [0.0005, 0.002, 0.004])
+def test_a_hitch_about_a_strip_is_told_to_be_slack(knot: str, thick: float) -> None:
+    """The way round 50 by 4 mm is 108 mm, that of the circle it is drawn on 160 mm: nothing was said."""
+    sizes = {"half_sizes": (0.025, thick, 0.3), "edge_radius": min(thick, 0.002)}
+    bar = Box(center=(0, 0, 0), rotation=(0, 0, 0.5), **sizes)
+    (found,) = knot_warnings(build(_about(bar, knot=knot, post_radius=0.0255)))
+    assert "what stands in it is flat: it starts slack" in found
+    (found,) = knot_warnings(build(_about(bar, knot=knot, post_radius=0.038)))
+    assert "no post of about 0.038 m radius" in found
 
 
 @pytest.mark.parametrize("knot", _HITCHES)

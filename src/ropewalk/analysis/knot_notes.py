@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 _PAIRS = ("reef", "granny")
 _NO_CROSSING = "bollard"  # its turns lie beside each other
 _THINNER = 0.75  # of the width a hitch is tied for: what is about that thick [1]
+# Mean of the widths below over that of the circle, of a bar that its turn is a third too long for [1].
+_FLAT = 0.53
 _ABOUT = 48  # places about its post; even
 
 
@@ -45,8 +47,14 @@ def _without_post(model: Model, rope: Rope, shape: Knot) -> list[str]:
     if not model.scene.obstacles and len(model.scene.ropes) == 1:
         return ["but there is no post; add it as an obstacle (`shape.post()`)"]
     radius = shape.post_radius or 0.0
-    if _widest(model, rope, shape.sections(rope.diameter, _ABOUT)) >= 2.0 * _THINNER * radius:
-        return []
+    widest, mean = _widths(model, rope, shape.sections(rope.diameter, _ABOUT))
+    if widest >= 2.0 * _THINNER * radius:
+        if mean >= 2.0 * _FLAT * radius:
+            return []
+        return [
+            "but what stands in it is flat: it starts slack, its turns longer than the way round that by a "
+            "third or more; pull it tight before it has to hold"
+        ]
     return [
         f"but no post of about {radius:g} m radius stands at its center along its normal, all through its "
         "turns: it is tied about nothing, or slack about what is thinner; put one there as an obstacle "
@@ -54,8 +62,8 @@ def _without_post(model: Model, rope: Rope, shape: Knot) -> list[str]:
     ]
 
 
-def _widest(model: Model, rope: Rope, sections: Floats) -> float:
-    """Return how wide what stands in a hitch of `rope` is at the least of its sections [m].
+def _widths(model: Model, rope: Rope, sections: Floats) -> tuple[float, float]:
+    """Return how wide what stands in a hitch of `rope` is at the least of its sections, and on average [m].
 
     Args:
         model: of the scene.
@@ -66,7 +74,7 @@ def _widest(model: Model, rope: Rope, sections: Floats) -> float:
     a flat bar is as wide as it is broad, two ropes as both, and what stands aside as wide as in the middle.
     It is 2 r less the ways from two opposite places of the circle of radius r to what is nearest, exact where
     those go along the line between the two; 0 or less if nothing is there. What reaches the circle from
-    outside only is nothing that the hitch is about.
+    outside only is nothing that the hitch is about. The mean over all ways is small of what is flat.
     """
     places, many = sections.reshape(-1, 3), sections.shape[1] - 1
     away = list(gaps(model.system.node.obstacle, np.ascontiguousarray(places.T)))
@@ -80,7 +88,8 @@ def _widest(model: Model, rope: Rope, sections: Floats) -> float:
     within = by_section[:, :, :1] < radius
     nearest = np.where(within, by_section[:, :, 1:], 2.0 * radius).min(axis=0)
     both = nearest[:, : many // 2] + nearest[:, many // 2 :]
-    return float((2.0 * radius - both.min(axis=1)).min())
+    least, mean = both.min(axis=1).max(), both.mean(axis=1).max()
+    return float(2.0 * radius - least), float(2.0 * radius - mean)
 
 
 def _from_rope(nodes: Floats, places: Floats) -> Floats:
