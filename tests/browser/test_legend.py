@@ -69,3 +69,22 @@ def test_wraps_are_told_on_a_phone_that_lies(open_window: Open, serve: Serve) ->
 def test_on_a_phone_that_stands_stands_can_be_hidden(open_window: Open, serve: Serve) -> None:
     window = open_window(serve().address, viewport={"width": 390, "height": 844}).ready()
     assert window.page.locator("#show-posts").is_visible()
+
+
+@pytest.mark.parametrize("size", [(390, 844), (360, 640)], ids=["phone", "small"])
+def test_nothing_stands_out_of_the_card_on_a_phone(
+    open_window: Open, serve: Serve, size: tuple[int, int]
+) -> None:
+    """The colours, and the newtons of the longest arrow, reached beyond its edge."""
+    server = serve(Session(preset("clove-hitch"), "clove-hitch"))
+    window = open_window(server.address, viewport=dict(zip(("width", "height"), size, strict=True)))
+    window.ready().tell(type="step", count=20)
+    window.settled()
+    window.page.locator("#wraps summary").click()
+    assert window.page.locator("#contact-scale").inner_text().startswith("longest")
+    edge, furthest = window.ask(
+        """[document.querySelector(".legend").getBoundingClientRect().right,
+            Math.max(...[...document.querySelectorAll(".legend *")].map(
+              (one) => one.getBoundingClientRect().right))]"""
+    )
+    assert furthest < edge - 4
