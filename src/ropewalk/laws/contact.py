@@ -252,6 +252,19 @@ def quickest_impact(state, force, dt, obstacles, memory):
     return struck
 
 
+@deferred("int64")
+def presses_anew(force, grip):
+    """Return how many contacts that were open press under a force (3 + 6 k, n)."""
+    count = 0
+    for o in range(grip.shape[0]):
+        push, row = grip[o, PUSH], 3 + 6 * o
+        x, y, z = force[row], force[row + 1], force[row + 2]
+        for i in range(push.shape[0]):
+            presses = x[i] != 0.0 or y[i] != 0.0 or z[i] != 0.0
+            count += 1 if presses and push[i] == 0.0 else 0
+    return count
+
+
 @small
 def is_stopped_hard(obstacles, force, o, i, gap, rise, dt):
     """Tell whether mean forces, see `quickest_impact`, press more than a contact's skin and damper could."""

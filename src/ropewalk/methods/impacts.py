@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ropewalk.core.jit import part
 from ropewalk.laws.bounds import book_tightening, is_stopped
+from ropewalk.laws.contact import presses_anew
 from ropewalk.laws.links import still_links
 from ropewalk.laws.nodes import hits
 from ropewalk.laws.rare import are_tied
@@ -21,6 +22,15 @@ def is_struck(system, state, stage, forces, dt):
     stage.report[QUICK] = quick
     free = stage.saddle.band.frozen[0] == 0
     return is_stopped(system, state, forces, dt) or (free and quick > 0.0)
+
+
+@part
+def is_struck_early(system, state, stage):
+    """Tell whether a stage presses what was open as the step began: it is struck, whatever later ones do."""
+    if system.rare is None or stage.saddle.band.frozen[0] == 1:
+        return False
+    grip = state.memory.obstacle.grip
+    return grip.shape[0] > 0 and presses_anew(stage.forces.node.obstacle, grip) > 0
 
 
 @part

@@ -41,7 +41,7 @@ from ropewalk.methods import tableaus
 from ropewalk.methods.gain import makes_up_energy, most_of
 from ropewalk.methods.generalized_alpha import end_alpha, prepare_alpha
 from ropewalk.methods.halves import LAST, carries_on, halves_of, most_stages
-from ropewalk.methods.impacts import is_soft, is_struck, rest_links, strike
+from ropewalk.methods.impacts import is_soft, is_struck, is_struck_early, rest_links, strike
 from ropewalk.methods.loop import make_advance, prepare_links
 from ropewalk.methods.part_lengths import (
     MOST_HALVINGS,
@@ -230,6 +230,14 @@ def take_beginning(system, state, scratch, t, weight, s):
     add_forces(system, state.forces, weight, scratch.mean)
 
 
+@part
+def keep_stage(system, scratch, weight, s):
+    """Keep what stage `s` has found."""
+    put(scratch.stage.v, scratch.u[s])
+    put(scratch.stage.a, scratch.k[s])
+    add_forces(system, scratch.stage.forces, weight, scratch.mean)
+
+
 @deferred("int64")
 def take_step(
     system, state, scratch, t, after, dt, ledger, level, kind, A, b, c, numbers, warm, last
@@ -284,9 +292,9 @@ def take_step(
         if has_wheels(system):
             end_aim(state.memory.obstacle.wheel, s, kind != DIRK or s == b.shape[0] - 1)
         if kind == DIRK:
-            put(stage.v, scratch.u[s])
-            put(stage.a, scratch.k[s])
-            add_forces(system, stage.forces, b[s], mean)
+            keep_stage(system, scratch, b[s], s)
+            if watch and s + 1 < b.shape[0] and is_struck_early(system, state, stage):
+                return HIT
     struck = is_struck(system, state, stage, mean if kind == DIRK else stage.forces, dt)
     if kind == GENERALIZED_ALPHA:
         end_alpha(system, state, scratch, numbers, dt)
