@@ -22,7 +22,7 @@ from bench.near import finding_pairs
 from bench.page import page, page_memory
 from bench.peaks import extremes
 from bench.row import Row
-from bench.touch import on_obstacles, sticking
+from bench.touch import on_obstacles, sticking, without_contacts
 from bench.yardsticks import bare_loop, numpy_loop
 from ropewalk import Anchor, Rope, RunSettings, Scene, Simulation, Springs
 from ropewalk.lowering import build
@@ -205,6 +205,7 @@ CASES = (
     many_islands,
     sticking,
     on_obstacles,
+    without_contacts,
     finding_pairs,
     here_and_there,
     ropes_on_ropes,

@@ -13,6 +13,7 @@ import math
 import time
 from collections.abc import Callable
 from importlib.util import find_spec
+from unittest.mock import patch
 
 import numpy as np
 
@@ -229,6 +230,29 @@ def on_obstacles() -> list[Row]:
                 ">= 20",
             )
         )
+    return rows
+
+
+def without_contacts() -> list[Row]:
+    """What a scene without contacts pays for those of others: nothing in kernels of its own.
+
+    So it is timed beside itself by the kernels that scenes with any rarer law take, in which all laws are and
+    none acts here: no scene without contacts pays more. Twice by its own tells what the clock can tell.
+    """
+    rows = []
+    for method, step, steps in (("esdirk3", STEP, 6), ("semi-implicit-euler", 1e-5, 200)):
+        run = rw.RunSettings(method=method, time_step=step, duration=UNTIL)
+        falling = incline(0.0, 1000).replace(obstacles=[], run=run)
+        swings = {"its own": Swing(falling, steps), "its own again": Swing(falling, steps)}
+        with patch("ropewalk.lowering.system.rare_of", lambda _: 1):
+            swings["those of all laws"] = Swing(falling, steps)
+        runs, before = (
+            {name: getattr(one, do) for name, one in swings.items()} for do in ("run", "restore")
+        )
+        timing = take_turns(runs, rounds=100, before=before)
+        for name, target in (("those of all laws", "<= 1.02"), ("its own again", "")):
+            said = f"a step without contacts, {method}: by {name} / its own kernels"
+            rows.append(Row(said, timing.ratio(name, "its own"), "1", target))
     return rows
 
 

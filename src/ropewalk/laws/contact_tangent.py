@@ -66,7 +66,8 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             push = pressed - damper * rise
             if not push > 0.0:
                 continue
-            vH = across(ca, cb, n, a, speed)
+            bent = ca != 0.0 or cb != 0.0
+            vH = across(ca, cb, n, a, speed) if bent else ZERO3
             hx, hy, hz = swept(vH[0], vH[1], vH[2], sweep, nx, ny, nz)  # - n . (W x dx)
             # -dR_n = drop . (weighted step)
             apart = weight_x * (k + damper * by_gap) + weight_v * damper
@@ -79,7 +80,6 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 apart * nz + by_turn * (hz + by_speed * tz) + aside * vH[2],
             )
             bend = -weight_x * push  # R_n H
-            bent = ca != 0.0 or cb != 0.0
             curves = curved(ca, cb, n, a) if bent else ZERO9
             before = load9(diagonal, i)
             block = add(before, press(n, drop, bend, curves))
