@@ -16,8 +16,8 @@ from ropewalk.lowering.masses import line, masses
 from ropewalk.methods.registry import METHODS
 from ropewalk.motions.tabulated import cubic_rows
 from ropewalk.record.extremes import Extreme
+from ropewalk.record.tension_notes import is_pressed
 from ropewalk.scene.motions import Motion, Table, Velocity
-from ropewalk.words.percents import percent
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
@@ -27,37 +27,57 @@ ABOUT = 1.5  # steps: times of peaks are those of their ends
 
 
 def started_note(result: Result, force: Extreme) -> str:
-    """Say so where the largest anchor force is of its own node, set going or stopped at once; else ""."""
+    """Say so where the largest anchor force is of its own node, set going or stopped at once; else "".
+
+    It is where the motion jumps then, and no rope beside it bears as much. A held node begins with its
+    anchor's velocity: nothing jumps at time zero.
+    """
     if METHODS[result.plan.method].cuts or not force.value > 0.0:
         return ""
     anchor, step = result.scene.anchors[force.place], result.plan.dt
     jump = _largest_jump(anchor.motion, force.since - ABOUT * step, force.until + ABOUT * step)
-    mass = _held_mass(result, result.layout.anchor_nodes[force.place])
-    own = mass * jump / step
-    if not own > TOLD * force.value:
+    held = _held(result, result.layout.anchor_nodes[force.place])
+    if not jump > 0.0 or any(is_pressed(result, node, force.until) for node in held):
         return ""
-    share = f"{percent(100.0 * min(own / force.value, 1.0))} of it"
+    mass = float(
+        masses(result.layout, tuple(line(rope) for rope in result.scene.ropes))[0][held].sum()
+    )
+    borne = _borne(result, held, force)
+    if not force.value - borne - mass * math.hypot(*result.scene.gravity) > TOLD * force.value:
+        return ""
     return (
-        f"the anchor starts or stops at once, by {jump:.4g} m/s: for its own node's {mass:.4g} kg that takes "
-        f"{own:.4g} N over one step, up to {share}, which grows as steps get shorter and no rope bears; "
-        "give it a table with cubic interpolation, or take another method"
+        f"ropes at its node bear {borne:.4g} N then, at most: the anchor starts or stops at once, by "
+        f"{jump:.4g} m/s, and what that takes of the node's own {mass:.4g} kg counts as a force over one "
+        "step, which grows as steps get shorter; give it a table with cubic interpolation, or take another "
+        "method"
     )
 
 
-def _held_mass(result: Result, node: int) -> float:
-    """Return the mass of an anchored node with all that joints tie to it [kg]."""
-    mass = masses(result.layout, tuple(line(rope) for rope in result.scene.ropes))[0]
-    tied, held = iter(result.layout.tied_nodes), [node]
-    for joint in result.scene.joints:
-        nodes = [next(tied) for _ in joint.points]
-        held = nodes if node in nodes else held
-    return float(mass[held].sum())
+def _held(result: Result, node: int) -> list[int]:
+    """Return an anchored node with all that joints tie to it."""
+    tied = iter(result.layout.tied_nodes)
+    groups = [[next(tied) for _ in joint.points] for joint in result.scene.joints]
+    return next((group for group in groups if node in group), [node])
+
+
+def _borne(result: Result, nodes: list[int], force: Extreme) -> float:
+    """Return the most that the segments at these nodes pull or push in the frames of a peak, added up [N]."""
+    first = max(int(np.searchsorted(result.time, force.since)) - 1, 0)
+    last = min(int(np.searchsorted(result.time, force.until)) + 1, result.good_frames - 1)
+    ends = {span.first for span in result.layout.ropes}, {span.last for span in result.layout.ropes}
+    beside = {node - 1 for node in nodes if node not in ends[0]}
+    beside |= {node for node in nodes if node not in ends[1]}
+    found = 0.0
+    for name in ("greatest_tension", "least_tension"):
+        there = np.abs(result.read(name, first, last + 1)[:, sorted(beside)])
+        found = max(found, float(np.nan_to_num(there).max(axis=0).sum()))
+    return found
 
 
 def _largest_jump(motion: Motion, since: float, until: float) -> float:
     """Return the largest jump of a motion's velocity in an interval [s] [m/s]."""
     if isinstance(motion, Velocity):
-        sudden = since <= motion.start <= until or since <= motion.stop <= until
+        sudden = any(time > 0.0 and since <= time <= until for time in (motion.start, motion.stop))
         return math.hypot(*motion.velocity) if sudden else 0.0
     if not isinstance(motion, Table):
         return 0.0
@@ -66,6 +86,6 @@ def _largest_jump(motion: Motion, since: float, until: float) -> float:
     after[:-1] = rows[:-1, 2::4]
     width = np.diff(rows[:, 0])[:, None]
     before[1:] = rows[:-1, 2::4] + width * (2.0 * rows[:-1, 3::4] + 3.0 * width * rows[:-1, 4::4])
-    there = (rows[:, 0] >= since) & (rows[:, 0] <= until)
+    there = (rows[:, 0] >= since) & (rows[:, 0] <= until) & (rows[:, 0] > 0.0)
     sizes: Floats = np.linalg.norm(after - before, axis=1)[there]
     return float(sizes.max(initial=0.0))
