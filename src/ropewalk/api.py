@@ -10,10 +10,12 @@ from ropewalk.lowering import Model, build
 from ropewalk.record.facts import INTERRUPTED
 from ropewalk.record.result import Result
 from ropewalk.record.simulate import Progress, simulate_in_memory
-from ropewalk.scene import Scene, load
-from ropewalk.scene.faults import found_in
+from ropewalk.scene import Fault, Scene, SceneFileError, load
+from ropewalk.scene.faults import NO_VALUE, found_in
 from ropewalk.scene.presets import names, preset
+from ropewalk.scene.toml_text import NO_FILE
 from ropewalk.simulation import Broken, Simulation
+from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
     from ropewalk.analysis.check import Check
@@ -41,7 +43,17 @@ def as_scene(source: SceneLike) -> Scene:
         return source
     if isinstance(source, str) and source in names():
         return preset(source)
-    return load(source)
+    try:
+        return load(source)
+    except SceneFileError as error:
+        if isinstance(source, str) and error.faults[0].rule == NO_FILE and _may_be_a_name(source):
+            rule = f"{NO_FILE}, and no preset of that name; {nearest(source, names())}"
+            raise SceneFileError([Fault("", NO_VALUE, rule)], source) from None
+        raise
+
+
+def _may_be_a_name(source: str) -> bool:
+    return not (Path(source).suffix == ".toml" or "/" in source or "\\" in source)
 
 
 def told_of(source: SceneLike | Model) -> AbstractContextManager[None]:

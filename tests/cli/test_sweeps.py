@@ -254,6 +254,17 @@ def test_a_run_of_a_sweep_is_shown(
     assert "is no sweep" in ropewalk("view", scene, "--run", 1).output
 
 
+@pytest.mark.parametrize("words", [["movie"], ["share"], ["export", "--to", "csv"]])
+def test_what_is_made_of_a_run_says_of_a_sweep_that_it_is_one(
+    ropewalk: Call, scene: Path, words: list[str]
+) -> None:
+    ropewalk("sweep", scene, *VARY, "-o", "s")
+    done = ropewalk(*words, "s")
+    assert done.exit_code == 2
+    assert "s: is a sweep, which keeps no run whole; `ropewalk view s --run 0`" in done.stderr
+    assert "no run folder" not in done.stderr
+
+
 def test_a_value_that_is_uncertain_twice_is_refused(ropewalk: Call, scene: Path) -> None:
     """The first of the two was dropped."""
     twice = ("--uncertain", "gravity[2]=-10..-9", "--uncertain", "gravity[2]=5%")

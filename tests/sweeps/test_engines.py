@@ -130,6 +130,7 @@ def test_the_dashboard_is_told_once_where_no_terminal_is(
     monkeypatch.setattr(
         client, "scheduler_info", lambda n_workers: about if not n_workers else real()
     )
+    monkeypatch.setattr("ropewalk.sweeps.engines._may_be_there", lambda link: True)
     rw.sweep(swing(0.02), VARY, batch=2, on=client)
     told = capsys.readouterr().err
     assert told.count("dashboard: http://") == 1

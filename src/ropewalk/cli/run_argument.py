@@ -17,12 +17,15 @@ run_argument = click.argument("folder", metavar="DIR", type=click.Path(path_type
 
 
 def open_run(folder: Path, *, whole: bool = False) -> Result:
-    """Open a run folder. Raises RunError when it is none, or damaged.
+    """Open a run folder. Raises RunError when it is none, or damaged, Refusal of a sweep.
 
     Of a live session it is the first part, of which is warned unless the `whole` is taken.
     """
     from ropewalk.record.result import Result
 
+    if is_sweep(folder):
+        rule = f"is a sweep, which keeps no run whole; `ropewalk view {folder} --run 0` makes one again"
+        raise Refusal(f"{folder}: {rule}")
     result = Result.open(folder)
     if result.facts.provenance.get("live") and not whole:
         from ropewalk.live.keeper import parts

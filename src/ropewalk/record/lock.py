@@ -17,6 +17,7 @@ except ImportError:  # pragma: no cover - not a POSIX system
     fcntl = None
 
 NAME = ".lock"
+_REMEDY = ": wait until it is done, or end it first"
 PATIENCE = 0.2  # [s]; one who asks whether a folder is locked holds it for a moment himself
 
 
@@ -32,7 +33,7 @@ def locked(folder: Path, name: str | Path = "") -> Iterator[None]:
     try:
         lock.acquire(poll_interval=0.01)
     except Timeout:
-        raise RunError(name or folder, "is being written by another process") from None
+        raise RunError(name or folder, f"is being written by another process{_REMEDY}") from None
     try:
         yield
     finally:

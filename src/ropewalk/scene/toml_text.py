@@ -18,6 +18,7 @@ _NUMBERS = re.compile(r"\[\n((?:\s*[-+.\w]+,\n){3})\s*\]")
 #: Numbers that TOML has not, and people type.
 _SHORT_NUMBER = re.compile(r"[+-]?(?:\d+\.|\.\d+)(?:[eE][+-]?\d+)?")
 #: No scene is larger; a file that is, is something else.
+NO_FILE = "no such file"
 _LARGEST_FILE = 500_000_000
 
 
@@ -144,7 +145,7 @@ def _read(path: Path) -> str:
             raise _unreadable(path, "is too large for a scene file (500 MB at most)")
         return path.read_bytes().decode("utf-8-sig")
     except FileNotFoundError:
-        raise _unreadable(path, "no such file") from None
+        raise _unreadable(path, NO_FILE) from None
     except IsADirectoryError:
         raise _unreadable(path, "is a folder, not a scene file") from None
     except PermissionError:

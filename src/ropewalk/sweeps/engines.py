@@ -121,8 +121,26 @@ def _dashboard(client: Any) -> str:
     """Say where a cluster can be looked at, and keep it."""
     global dashboard
     has = "dashboard" in client.scheduler_info(n_workers=0).get("services", {})
-    dashboard = str(client.dashboard_link) if has else None
+    link = str(client.dashboard_link) if has else None
+    dashboard = link if link and _may_be_there(link) else None
     return f"dashboard: {dashboard or 'none'}"
+
+
+def _may_be_there(link: str) -> bool:
+    """Whether a page is there, or may be: a scheduler without one answers, too, that there is none.
+
+    What cannot be reached from here may be by other ways, such as a tunnel.
+    """
+    from urllib.error import HTTPError
+    from urllib.request import ProxyHandler, Request, build_opener
+
+    try:
+        build_opener(ProxyHandler({})).open(Request(link, method="HEAD"), timeout=1.0).close()
+    except HTTPError as error:
+        return error.code != 404
+    except (OSError, ValueError):
+        pass
+    return True
 
 
 @contextmanager
@@ -196,9 +214,14 @@ def make_with(
 def _keep(sink: Sink, outcome: dict[str, Any]) -> None:
     """Store what a worker carried here. Raises RunError for one that refused."""
     if outcome["what"] == REFUSED:
-        raise RunError("worker", f"cannot make batch {outcome['number']}: {outcome['why']}")
+        raise RunError(_who(outcome), f"cannot make batch {outcome['number']}: {outcome['why']}")
     if outcome["what"] == CARRIED:
         sink.write(outcome["number"], unpacked(outcome["batch"]))
+
+
+def _who(outcome: dict[str, Any]) -> str:
+    """Return the worker that an outcome is of, with its address where it is known."""
+    return f"worker {outcome.get('who', '')}".rstrip()
 
 
 def _warm_up(client: Any, sink: Sink, job: dict[str, Any]) -> None:
@@ -309,6 +332,6 @@ def map_rows(client: Any, recipe: str, source: str, rows: list[list[Any]]) -> Ba
     made = Batch()
     for outcome in client.gather(futures):
         if outcome["what"] == REFUSED:
-            raise RunError("worker", f"cannot make runs: {outcome['why']}")
+            raise RunError(_who(outcome), f"cannot make runs: {outcome['why']}")
         made.append(unpacked(outcome["batch"]))
     return made

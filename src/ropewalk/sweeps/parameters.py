@@ -275,7 +275,7 @@ def _distribution(path: str, what: Any) -> Any:
     if middle.shape != () or not np.isfinite(middle):
         rule = (
             "is no distribution of one number: its parameters must be single numbers, in the range that "
-            "scipy.stats allows"
+            "scipy.stats allows (a scale, such as a standard deviation, must be positive)"
         )
         raise SceneError([Fault(path, NO_VALUE, rule)])
     return found

@@ -153,6 +153,9 @@ def _called(name: str, given: str, text: str) -> Any:
     except (TypeError, ValueError):
         sound = False
     if not sound:
+        takes = DISTRIBUTIONS[name].split(", ")
         rule = f"{name} takes {DISTRIBUTIONS[name]}"
+        if len(numbers) == len(takes) and not numbers[-1] > 0.0:
+            rule += f"; the {takes[-1]} must be positive"
         raise InputError("--vary", text, rule)
     return made

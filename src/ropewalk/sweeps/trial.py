@@ -26,7 +26,7 @@ from ropewalk.statics import NoRest
 from ropewalk.sweeps.batch import REST
 from ropewalk.sweeps.designs import GIVEN, Design
 from ropewalk.sweeps.keep import Kept
-from ropewalk.sweeps.parameters import TEXT, Parameter
+from ropewalk.sweeps.parameters import TEXT, Parameter, spread_in_words
 from ropewalk.sweeps.sweep_plan import Variable
 from ropewalk.sweeps.workshop import Workshop
 
@@ -122,10 +122,25 @@ def value_faults(
             between = distinct[:: -(-len(distinct) // _MOST_VALUES)]
             distinct = list(dict.fromkeys((*_ends(parameter, distinct), *between)))
         for value in distinct:
-            _note(workshop, parameters, [*base[:place], value, *base[place + 1 :]], faults)
+            found: dict[str, Fault] = {}
+            _note(workshop, parameters, [*base[:place], value, *base[place + 1 :]], found)
+            for text, fault in found.items():
+                faults.setdefault(text, _of_draw(fault, parameter, value))
             if len(faults) >= before + _TOLD:
                 break
     return faults
+
+
+def _of_draw(fault: Fault, parameter: Parameter, value: Any) -> Fault:
+    """Return a fault of a value that was drawn with where it comes from."""
+    spread = parameter.spread
+    if spread is None or isinstance(spread, tuple) or fault.value != value:
+        return fault
+    drawn = (
+        f"it was drawn from {spread_in_words(spread)}: take one that ends there, such as truncnorm"
+    )
+    rule = f"{fault.rule}; {drawn}"
+    return replace(fault, rule=rule)
 
 
 def _note(

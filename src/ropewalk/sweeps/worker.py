@@ -56,8 +56,11 @@ def make_batch(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str
 
 def _made(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any]:
     if job["source"] != sweep_hash():
-        text = "it has other sources of ropewalk, or another numpy or numba, and would not make the same bits"
-        return {"number": number, "what": REFUSED, "why": text}
+        text = (
+            "it has other sources of ropewalk, or another numpy or numba, and would not make the same bits; "
+            "install there what is installed here, and start it anew"
+        )
+        return {"number": number, "what": REFUSED, "why": text, "who": _address()}
     store = _folder_of(job["folder"], job["id"]) if job["folder"] else None
     if store is not None and store.is_done(number):
         return {"number": number, "what": STORED, "broken": None}
@@ -70,6 +73,16 @@ def _made(job: dict[str, Any], number: int, columns: list[Any]) -> dict[str, Any
         return {"number": number, "what": REFUSED, "why": text}
     store.write(number, batch)
     return {"number": number, "what": STORED, "broken": batch.broken}
+
+
+def _address() -> str:
+    """Return where this worker is found, "" of what is none."""
+    from distributed import get_worker
+
+    try:
+        return str(get_worker().address)
+    except ValueError:  # a thread that is no worker's
+        return ""
 
 
 def warm_up(recipe: str, columns: list[Any]) -> str:
