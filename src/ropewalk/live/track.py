@@ -17,7 +17,7 @@ from ropewalk.live.carry import carry_over
 from ropewalk.live.changes import same
 from ropewalk.live.ear import Ear
 from ropewalk.live.edits import Edit
-from ropewalk.live.energy_off import Balance, step_of
+from ropewalk.live.energy_off import Balance, step_of, weigh
 from ropewalk.live.gaps import Parted, gaps, located, unknown
 from ropewalk.live.hands import CONTROL, Hands, held_around
 from ropewalk.live.losses import driven_work, losses_and_gifts
@@ -181,6 +181,7 @@ class Track:
         self.edited += self.energy - self._on_drums - before - shift
         if step_of(made.plan) != step_of(plan):
             self.balance = self.balance.again()
+        self._weigh()
         self.begun = self.save()
 
     def set(self, name: str, value: Any, rope: str | None = None) -> None:
@@ -298,6 +299,11 @@ class Track:
         self.simulation.arrays.past[0] = 0.0  # a multistep method begins anew
         self.simulation.push({})  # brings forces and accelerations up to date
         self.edited += self.energy - before
+        self._weigh()
+
+    def _weigh(self) -> None:
+        """Count what a change has put in as turned over: much of it may be gone by the next frame."""
+        weigh(self, self.simulation.recording().recording)
 
     def holder(self, index: int) -> str | None:
         """Return the name of the anchor that holds a node, or one that is tied to it, if one does."""
