@@ -12,6 +12,7 @@ import pytest
 from live.drive import do, r4, refused, slack_rope
 from live.test_slices import Told, broadcasting, send, tick_until
 from patience import PATIENCE
+from ropewalk.live import opening
 from ropewalk.live.anew import Anew
 from ropewalk.live.keeper import Keeper
 from ropewalk.live.relive import relive
@@ -106,6 +107,79 @@ def test_who_resets_while_rest_is_looked_for_has_that_reset(told: Told, searched
     tick_until(broadcast, lambda: told.answer(1))
     assert [told.answer(client)["type"] for client in (1, 2, 3)] == ["done"] * 3
     assert searched.begun == 1
+
+
+def test_a_reset_joins_one_on_its_way_and_replaces_no_scene(told: Told, searched: Any) -> None:
+    """The scene that another page waited for was refused, and rest looked for a second time."""
+    broadcast = broadcasting(told, resting())
+    send(broadcast, told, "reset", client=1, id=1)
+    broadcast.tick()
+    send(broadcast, told, "scene", client=1, preset="n40", id=2)
+    broadcast.tick()
+    send(broadcast, told, "reset", client=2, id=3)
+    broadcast.tick()
+    searched.gate.set()
+    tick_until(broadcast, lambda: all(told.answer(number) for number in (1, 2, 3)))
+    assert [told.answer(number)["type"] for number in (1, 2, 3)] == ["done"] * 3
+    assert searched.begun == 1
+    assert broadcast.session.preset == "n40"
+
+
+def test_resets_that_cannot_join_wait_for_their_turn(told: Told, searched: Any) -> None:
+    """One that gives back all constants waits for one that does not; others are done with it."""
+    session = resting()
+    whole = mass(session)
+    do(session, "set", name="mass", value=4.0)
+    broadcast = broadcasting(told, session)
+    for client, original in enumerate((False, True, True)):
+        send(broadcast, told, "reset", client=client, all=original, id=client)
+        broadcast.tick()
+    searched.gate.set()
+    tick_until(broadcast, lambda: told.answer(2))
+    assert [told.answer(client)["type"] for client in range(3)] == ["done"] * 3
+    assert searched.begun == 2
+    assert mass(broadcast.session) == pytest.approx(whole)
+
+
+def test_a_reset_that_a_scene_takes_the_place_of_is_told_so(
+    told: Told, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was told of a "scene" that it had not asked for, and not what to do."""
+    gate, made = threading.Event(), opening.opened
+
+    def slowly(*args: Any) -> Session:
+        gate.wait(PATIENCE)
+        return made(*args)
+
+    monkeypatch.setattr(opening, "opened", slowly)
+    broadcast = broadcasting(told, resting())
+    send(broadcast, told, "scene", client=1, preset="n40", id=1)
+    broadcast.tick()
+    for client in (2, 3):
+        send(broadcast, told, "reset", client=client, id=client)
+    broadcast.tick()
+    send(broadcast, told, "scene", client=4, preset="r4", id=4)
+    broadcast.tick()
+    for client in (2, 3):
+        answer = told.answer(client)
+        assert (answer["faults"][0]["path"], answer["faults"][0]["value"]) == ("type", "reset")
+        assert "once that scene is there, reset it" in answer["text"]
+    gate.set()
+    tick_until(broadcast, lambda: told.answer(1) and told.answer(4))
+    assert [told.answer(number)["type"] for number in (1, 4)] == ["done"] * 2
+    assert broadcast.session.preset == "r4"
+
+
+def test_a_reset_behind_a_scene_is_of_that_scene(told: Told, searched: Any) -> None:
+    """Rest was looked for in the scene before it, too."""
+    broadcast = broadcasting(told, resting())
+    searched.gate.set()
+    send(broadcast, told, "scene", client=1, preset="n40", id=1)
+    send(broadcast, told, "reset", client=2, id=2)
+    tick_until(broadcast, lambda: told.answer(1) and told.answer(2))
+    assert [told.answer(number)["type"] for number in (1, 2)] == ["done"] * 2
+    assert searched.begun == 1
+    assert broadcast.session.preset == "n40"
 
 
 def test_a_reset_that_looks_for_nothing_is_done_at_once(told: Told) -> None:

@@ -38,13 +38,20 @@ class Opened(NamedTuple):
     also: list[Item]  # other resets, which are done with that
 
 
+class Asked(NamedTuple):
+    """A command that waits until it is built, and `also` other resets that are done with it."""
+
+    item: Item
+    also: list[Item]
+
+
 class Opening:
-    """Builds one thing at a time; of those that wait meanwhile only the newest is built next."""
+    """Builds one thing at a time; a scene takes the place of all that waits, resets wait or join one."""
 
     def __init__(self, session: Session, wake: Callable[[], None]) -> None:
         self._session, self._wake = session, wake
         self._now: Opened | None = None
-        self._next: Item | None = None
+        self._next: list[Asked] = []  # of scenes one at most
 
     @property
     def clients(self) -> dict[int, frozenset[str]]:
@@ -53,8 +60,8 @@ class Opening:
         What they send else is meant for that scene; hands may go on until a reset is there.
         """
         found: dict[int, frozenset[str]] = {}
-        for item in (*([self._now.item, *self._now.also] if self._now else []), self._next):
-            if item is not None:
+        for one in self._all:
+            for item in (one.item, *one.also):
                 passes = OF_PLAY | OF_HANDS if isinstance(item.what, Reset) else OF_PLAY
                 found[item.client] = passes & found.get(item.client, passes)
         return found
@@ -62,7 +69,12 @@ class Opening:
     @property
     def words(self) -> str:
         """What is on its way, or ""."""
-        return WORDS[self._now.item.what.type] if self._now is not None else ""
+        return next((WORDS[one.item.what.type] for one in self._all), "")
+
+    @property
+    def _all(self) -> list[Asked | Opened]:
+        """What is built now, then what waits."""
+        return [*([self._now] if self._now is not None else []), *self._next]
 
     @staticmethod
     def takes(command: Command, session: Session) -> bool:
@@ -72,21 +84,22 @@ class Opening:
 
     def ask(self, item: Item) -> None:
         """Have built what a command asks for."""
-        now, command = self._now, item.what
-        again = now is not None and isinstance(command, Reset) and isinstance(now.item.what, Reset)
-        if now is not None and again and self._next is None and command.all == now.item.what.all:
-            now.also.append(item)
-            return
-        if self._next is not None:
-            was = self._next.what
-            preset = getattr(was, "preset", None)
-            error = refusal("scene", preset, "another scene has been asked for since")
-            self._next.reply(error_message(was.type, was.id, error))
-        self._next = item
+        if isinstance(item.what, Reset):
+            for one in self._all:  # one that gives back all constants does for another, too
+                if isinstance(one.item.what, Reset) and one.item.what.all >= item.what.all:
+                    one.also.append(item)
+                    return
+        else:
+            for one in self._next:
+                for left_out in (one.item, *one.also):
+                    _leave_out(left_out)
+            self._next.clear()
+        self._next.append(Asked(item, []))
         self._begin()
 
     def take(self) -> Opened | None:
         """Return what is ready, once: a reset only while the session would still begin with it."""
+        self._begin()  # what waits is built of the session as the one before has left it
         found = self._now
         if found is None or not found.made.done():
             return None
@@ -94,13 +107,11 @@ class Opening:
         if found.anew is not None and found.anew != _anew(self._session, found.item.what):
             self._now = self._job(found.item, found.also)  # a constant was changed meanwhile
             return None
-        self._begin()
         return found
 
     def _begin(self) -> None:
-        if self._now is None and self._next is not None:
-            item, self._next = self._next, None
-            self._now = self._job(item, [])
+        if self._now is None and self._next:
+            self._now = self._job(*self._next.pop(0))
 
     def _job(self, item: Item, also: list[Item]) -> Opened:
         command, anew = item.what, None
@@ -110,6 +121,19 @@ class Opening:
         else:
             what = partial(_open, command, self._session.start)
         return Opened(item, aside(what, "opening", self._wake), anew, also)
+
+
+def _leave_out(item: Item) -> None:
+    """Tell who asked for it that a scene has taken its place."""
+    command = item.what
+    since = "another scene has been asked for since"
+    if isinstance(command, Reset):
+        rule = f"{since}, so the reset is left out: once that scene is there, reset it if you still want to"
+        error = refusal("type", command.type, rule)
+    else:
+        rule = f"{since}, so this one is not opened: open it again if you still want it"
+        error = refusal("scene", command.preset, rule)
+    item.reply(error_message(command.type, command.id, error))
 
 
 def _anew(session: Session, command: Reset) -> Anew:
