@@ -17,6 +17,7 @@ from ropewalk.motions.rows import largest_speed, motion_rows
 from ropewalk.motions.whereabouts import place_now
 
 if TYPE_CHECKING:
+    from ropewalk.core.arrays import System
     from ropewalk.laws.obstacle import Obstacles
 
 
@@ -165,3 +166,15 @@ def standing(obstacles: Obstacles) -> Obstacles:
         motion=motion_rows(still, obstacles.center),
         turns=motion_rows(still, start),
     )
+
+
+def as_at_rest(system: System) -> System:
+    """Return a system whose obstacles stand where they start; those that turn freely are still told apart.
+
+    Unlike `standing`: of these lies and turns each as is remembered of it, and is to be given no rate.
+    """
+    table = system.node.obstacle
+    if not len(table.kind):
+        return system
+    still = standing(table)._replace(wheel=table.wheel)
+    return system._replace(node=system.node._replace(obstacle=still))

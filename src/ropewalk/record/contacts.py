@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -10,12 +11,14 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.obstacle_places import as_at_rest
 from ropewalk.laws.pairs.law import memory as pair_memory
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.lowering import Layout, Model, Span, build
 from ropewalk.lowering.touching import Contacts, at_rates, contacts_at, stretches
 from ropewalk.methods.kinks import AT, JUST_BELOW, ROUNDING
 from ropewalk.record.contact_modes import SLIPS, STICKS, UNKNOWN, WORDS
+from ropewalk.record.facts import AT_REST
 from ropewalk.record.quantities import OBSTACLE_FORCE, PULLEYS, has_rope
 from ropewalk.record.rope_contact_table import modes_on_ropes
 
@@ -274,9 +277,14 @@ def without_ropes(model: Model, x: Floats, contacts: Contacts) -> Contacts:
 
 
 def model_of(result: Result) -> Model:
-    """Return the model of a run's scene in its drawn shape."""
+    """Return the model of a result's scene in its drawn shape; of an equilibrium obstacles stand in it.
+
+    Its steps are not judged: they have been taken, or none were.
+    """
     run = result.scene.run.model_copy(update={"start": "shape", "ring": None})
-    return build(result.scene.model_copy(update={"run": run}), drawn=False)
+    scene = result.scene.model_copy(update={"run": run})
+    model = build(scene, drawn=False, stepped=False)
+    return replace(model, system=as_at_rest(model.system)) if result.status == AT_REST else model
 
 
 COLUMNS = (

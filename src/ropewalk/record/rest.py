@@ -14,6 +14,7 @@ from ropewalk.core.peaks import HIGHEST, LEAST_TENSION, LOWEST, STRETCH, TENSION
 from ropewalk.core.status import OK
 from ropewalk.engine.start import load_wheels, set_joint_forces
 from ropewalk.laws.clamps import start_clamps
+from ropewalk.laws.obstacle_places import as_at_rest
 from ropewalk.laws.wheel_rows import RATE
 from ropewalk.lowering import Model, build
 from ropewalk.lowering.elastic_tables import let_relax, stored_at_rest
@@ -71,29 +72,31 @@ def as_result(model: Model, statics: Statics, seconds: float) -> Result:
 
 def _frame(model: Model, statics: Statics) -> Block:
     """Return the frame as a run would record it, with the tensions that were solved for."""
-    state = arrays.copy(model.state)
+    system, state = as_at_rest(model.system), arrays.copy(model.state)
     state.x[...] = statics.positions.T
     state.v[...] = 0.0
     state.reaction[...] = statics.reactions
-    let_relax(model.system, state)
-    stored = stored_at_rest(model.system, state, statics.elastic_tension)
+    let_relax(system, state)
+    stored = stored_at_rest(system, state, statics.elastic_tension)
     if statics.memory is not None:
         arrays.assign(state.memory, statics.memory)
+    if len(system.node.obstacle.inertia):
+        state.memory.obstacle.wheel[:, RATE] = 0.0
     out = make_recording(state, 1, model.scene.lengths_change)
-    prepare(model.system, state)
-    _balance(model.system, state, statics.elastic_tension)
-    start_clamps(model.system, state)
+    prepare(system, state)
+    _balance(system, state, statics.elastic_tension)
+    start_clamps(system, state)
     state.clamp_spin[...] = 0.0
     look = make_look(state)
-    begin_interval(model.system, state, look, 0.0, False)
-    record_frame(model.system, state, True, look, 0, out)
+    begin_interval(system, state, look, 0.0, False)
+    record_frame(system, state, True, look, 0, out)
     _put_tensions(out, state.stiffness > 0.0, statics.tension, model.scene.run.extremes)
     if model.scene.run.extremes:
-        _put_places(out, state.stiffness > 0.0, state, model.system.up)
+        _put_places(out, state.stiffness > 0.0, state, system.up)
     out.elastic_tension[0] = statics.elastic_tension
     out.energy[0, ENERGIES.index("gravity")] -= model.gravity_zero
     out.energy[0, ENERGIES.index("elastic")] = stored
-    return Block(np.zeros(1), out, OK, rope_contacts(state), on_obstacles(model.system, state))
+    return Block(np.zeros(1), out, OK, rope_contacts(state), on_obstacles(system, state))
 
 
 def _balance(system: System, state: State, elastic: Floats) -> None:
@@ -106,9 +109,7 @@ def _balance(system: System, state: State, elastic: Floats) -> None:
     state.forces.elastic[:, links + 1] = elastic[links] * along / np.linalg.norm(along, axis=0)
     state.acceleration[...] = 0.0
     set_joint_forces(system, state)
-    if len(system.node.obstacle.inertia):
-        state.memory.obstacle.wheel[:, RATE] = 0.0
-        load_wheels(system, state)
+    load_wheels(system, state)
 
 
 def _put_tensions(out: Recording, live: NDArray[np.bool_], tension: Floats, extremes: bool) -> None:
