@@ -48,8 +48,8 @@ def started_note(result: Result, force: Extreme) -> str:
     return (
         f"ropes at its node bear {borne:.4g} N then, at most: the anchor starts or stops at once, by "
         f"{jump:.4g} m/s, and what that takes of the node's own {mass:.4g} kg counts as a force over one "
-        "step, which grows as steps get shorter; give it a table with cubic interpolation, or take another "
-        "method"
+        "step, which grows as steps get shorter; let its speed change bit by bit, by more rows of a table, "
+        "or take another method"
     )
 
 
