@@ -61,9 +61,11 @@ def test_a_verdict_is_that_of_the_interval() -> None:
     )
     two = verdict([], [(0.2, 0.3), (0.4, 1.0)], ["a", "b"])
     assert two == ("b is not determined: its interval ends at the upper end of its range.",)
-    assert verdict([], [(0.2, 0.3)] * 2, ["a", "b"]) == (
-        "The measurement tells all of them apart.",
+    assert verdict([], [(0.2, 0.3)] * 2, ["a", "b"], 6) == (
+        "Near this fit the measurement tells all of them apart. In 6 searches no other fit was found, which "
+        "is no proof that there is none.",
     )
+    assert verdict([], [(0.2, 0.3)], ["EA"], beyond=True) == ()  # the cutting is
 
 
 def test_bounds_that_no_scene_can_have_are_told_before_any_run(

@@ -21,8 +21,8 @@ class Recut(NamedTuple):
     why_not: str = ""
 
 
-def recut(scene: Scene) -> Recut:
-    """Return the scene with half the segments; with twice as many where nodes would be lost.
+def recut(scene: Scene, *, finer: bool = False) -> Recut:
+    """Return the scene with half the segments; with twice as many where nodes would be lost, or if `finer`.
 
     Nodes that anchors, joints, slides, loads and forces name stay where they are on the rope.
     """
@@ -33,7 +33,8 @@ def recut(scene: Scene) -> Recut:
         if rope.kicks and not _everywhere(scene, rope):
             why = f"rope {rope.name!r} has kicks at some nodes, which push less mass the finer it is cut"
             return Recut(None, 1.0, why)
-    half = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes) and not _close(scene)
+    halves = all(_halves(rope, _named(scene, rope)) for rope in scene.ropes)
+    half = halves and not finer and not _close(scene)
     return Recut(_cut(scene, half=half), 0.5 if half else 2.0)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.sweeps.fit_residuals import LOST, NotFitted, Residuals
 
-_FEWEST, _MOST = 3, 6  # starts that are followed where several values are fitted
+_FEWEST, _MOST = 4, 6  # starts that are followed where several values are fitted
 _ONE = 1e-4  # of the ranges: nearer to a fit that is known, a search leads to it
 _APART = 1e-3  # of the ranges: two fits are at two places
 _EQUAL = 1e-6  # of a sum of squares: two that differ by less are equally good
@@ -28,15 +28,25 @@ class Found:
     tried: int
 
     def others(self, ends: Sequence[tuple[float, float]], rise: float) -> list[Floats]:
-        """Return places that fit as well, a sum of squares up to `rise` more, outside the intervals."""
+        """Return places that fit as well, a sum of squares up to `rise` more, outside the intervals.
+
+        Two that differ only in values whose interval is their whole range are one place.
+        """
+        shown = np.array([not (low < _APART and high > 1.0 - _APART) for low, high in ends])
         told: list[Floats] = []
         for place, square in self.places:
-            if not square <= self.square + rise:
+            if not square <= self.square + rise or not shown.any():
                 continue
-            apart = all(np.abs(place - one).max() > _APART for one in (self.share, *told))
-            if apart and _outside(place, ends):
+            gaps = (np.abs(place - one)[shown].max() for one in (self.share, *told))
+            if all(gap > _APART for gap in gaps) and _outside(place, ends):
                 told.append(place)
         return told
+
+
+def _to_the_ends(shares: Floats) -> Floats:
+    """Return shares (k,) of a range with its ends and half way to them: a fit may lie beyond all others."""
+    ends = np.array([0.0, 0.5 * shares.min(), 0.5 * (1.0 + shares.max()), 1.0])
+    return np.asarray(np.unique(np.concatenate([shares, ends])))
 
 
 def _outside(place: Floats, ends: Sequence[tuple[float, float]]) -> bool:
@@ -61,9 +71,9 @@ def find(residuals: Residuals, own: Floats, starts: int, seed: int) -> Found:
     count = max(1, math.ceil(math.log2(max(starts, 2))))
     points = qmc.Sobol(own.shape[1], rng=np.random.default_rng(seed)).random_base2(count)
     table = np.concatenate([own, points])
-    found = residuals.found(table)
-    costs = (found**2).sum(axis=1)
-    costs[~np.isfinite(costs)] = math.inf
+    if own.shape[1] == 1:
+        table = _to_the_ends(table[:, 0])[:, None]
+    found, costs = _scan(residuals, table)
     if not np.isfinite(costs).any():
         raise NotFitted(
             "every start broke: no run ended well anywhere in the ranges that were tried; "
@@ -73,10 +83,16 @@ def find(residuals: Residuals, own: Floats, starts: int, seed: int) -> Found:
     residuals.lost = max(LOST, 10.0 * float(np.abs(found[np.isfinite(found)]).max()))
     search = _Search(residuals)
     if own.shape[1] == 1:
-        search.along(table, costs)
+        search.along(table, found, costs)
     else:
         for start in _several(table, costs):
             search.follow(table[start], float(costs[start]))
+        middle, _ = min(search.places, key=lambda one: one[1])
+        for axis in range(len(middle)):
+            shares = _to_the_ends(np.append(table[:, axis], middle[axis]))
+            line = np.tile(middle, (len(shares), 1))
+            line[:, axis] = shares
+            search.along(line, *_scan(residuals, line), axis)
     least = min(square for _, square in search.places)
     equal = least + _EQUAL * least + 2.0 * residuals.nothing
     best = min(
@@ -86,6 +102,13 @@ def find(residuals: Residuals, own: Floats, starts: int, seed: int) -> Found:
     near = 1.01 * least + 2.0 * residuals.nothing
     worse = sum(square > near for square in search.ends)
     return Found(best[0], best[1], tuple(search.places), worse, len(search.ends))
+
+
+def _scan(residuals: Residuals, table: Floats) -> tuple[Floats, Floats]:
+    """Return residuals (N, m) and sums of squares (N,), infinite where a run breaks."""
+    found = residuals.found(table)
+    costs = (found**2).sum(axis=1)
+    return found, np.where(np.isfinite(costs), costs, math.inf)
 
 
 class _Search:
@@ -124,18 +147,36 @@ class _Search:
         self.ends.append(cost)
         return place
 
-    def along(self, table: Floats, costs: Floats) -> None:
-        """Search one value (N, 1): from every least cost of the scan, and from across each fit.
+    def along(self, line: Floats, found: Floats, heights: Floats, axis: int = 0) -> None:
+        """Search a row of starts (N, D) that rise along an axis: from every least cost of it.
 
-        A fit between two starts is reached from both: two that lie between them are both found.
+        A fit between two starts of one value is reached from both: two that lie between them are both found.
+        Residuals (N, m) that pass zero between two starts do so somewhere, however the costs lie.
         """
-        order = np.argsort(table[:, 0], kind="stable")
-        line, heights = table[order, 0], costs[order]
         for at in _hollows(heights):
-            place = float(self.follow(line[at : at + 1], float(heights[at]))[0])
-            for across in _across(line, at, place):
+            place = self.follow(line[at], float(heights[at]))
+            for across in _across(line[:, 0], at, float(place[0])) if line.shape[1] == 1 else ():
                 if np.isfinite(heights[across]):
-                    self.follow(line[across : across + 1], float(heights[across]))
+                    self.follow(line[across], float(heights[across]))
+        for at in _passed(found):
+            for start in sorted((at, at + 1), key=lambda i: float(heights[i])):
+                if not any(_between(place, line[at], line[at + 1]) for place, _ in self.places):
+                    self.follow(line[start], float(heights[start]))
+
+
+def _between(place: Floats, low: Floats, high: Floats) -> bool:
+    """Tell whether a place lies between two starts, but for what is one place anyway."""
+    return bool(((place > low - _ONE) & (place < high + _ONE)).all())
+
+
+def _passed(found: Floats) -> list[int]:
+    """Return after which starts residuals (N, m) pass their least, if it is straight on to the next."""
+    before, after = found[:-1], found[1:]
+    step = after - before
+    inside = ((before * step).sum(axis=1) < 0.0) & ((after * step).sum(axis=1) > 0.0)
+    lowest = np.abs(np.where(inside[:, None], before, np.inf)).sum(axis=1)
+    at = np.argsort(lowest, kind="stable")
+    return [int(i) for i in at if inside[i]][:_MOST]
 
 
 def _hollows(heights: Floats) -> list[int]:

@@ -109,7 +109,8 @@ def calibrate(
         ranges: by path, (low, high); far apart ones are searched by factors.
         level: of the intervals [1].
         starts: places to start from besides the scene's own values, made the next power of two; followed are
-            those that are better than their neighbours, and of several values at least the best three.
+            those that are better than their neighbours, and of several values at least the best four, then
+            what is better along the range of each from the best fit.
         seed: of the starts.
         profile: also make intervals by profile likelihood, which takes more runs.
         on, workers: as of `sweep`; the differences of a step are made side by side.
@@ -172,9 +173,21 @@ def _fit(
     rise = findings.quantile**2 * findings.variance + 2.0 * residuals.nothing
     others = found.others(ends, 2.0 * residuals.nothing if math.isnan(rise) else rise)
     words = [*findings.words, *(_as_well(residuals, names, place) for place in others)]
-    told = replace(findings, words=verdict(words, ends, names))
+    predicted = residuals.predicted(share[None])[0]
+    residuals.refuse_beyond_limiter()
+    fitted = _fitted(scene, residuals, share)
+    cut = cut_words(residuals, fitted, share, predicted, jacobian, known)
+    words = [*verdict(words, ends, names, found.tried, cut.beyond)]
+    told = replace(findings, words=(*cut.words, *words))
     intervals = residuals.intervals(near), residuals.intervals(far)
-    return _answer(scene, residuals, found, told, intervals, others, (level, jacobian, known))
+    return _answer(fitted, residuals, found, told, intervals, others, (level, predicted))
+
+
+def _fitted(scene: Scene, residuals: Residuals, share: Floats) -> Scene:
+    """Return the scene with the values at shares of their ranges."""
+    from ropewalk.scene.overrides import Places
+
+    return Places(scene, residuals.paths).scene(residuals.values(share[None])[0].tolist())
 
 
 def _as_well(residuals: Residuals, names: Sequence[str], place: Floats) -> str:
@@ -232,26 +245,19 @@ def _ends(share: Floats, findings: Findings) -> list[tuple[float, float]]:
 
 
 def _answer(
-    scene: Scene,
+    fitted: Scene,
     residuals: Residuals,
     found: Found,
     findings: Findings,
     intervals: tuple[dict[str, Any], dict[str, Any]],
     others: Sequence[Floats],
-    facts: tuple[float, Floats, Sequence[tuple[float, float]]],
+    facts: tuple[float, Floats],
 ) -> Calibration:
-    from ropewalk.scene.overrides import Places
-
-    (level, jacobian, ends), measured = facts, residuals.measurements
+    (level, predicted), measured = facts, residuals.measurements
     row = residuals.values(found.share[None])[0].tolist()
-    fitted = Places(scene, residuals.paths).scene(row)
-    predicted = residuals.predicted(found.share[None])[0]
-    residuals.refuse_beyond_limiter()
     cuts = np.cumsum([m.values.size for m in measured])[:-1]
     parts = np.split(predicted, cuts)
-    words = [*misfit(measured, parts, len(row))]
-    words += cut_words(residuals, fitted, found.share, predicted, jacobian, ends)
-    words += findings.words
+    words = [*misfit(measured, parts, len(row)), *findings.words]
     if found.worse:
         words.append(
             f"{found.worse} of {found.tried} starts ended in a worse place; take more starts to be sure."

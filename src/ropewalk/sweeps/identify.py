@@ -19,6 +19,10 @@ _TIED = 0.98  # correlation of values that the measurement hardly tells apart
 _TINY = 1e-12
 _AT = 1e-3  # of the range: nearer to an end of it is at it
 _UNSEEN = "{} does not show in this measurement."
+_APART = (
+    "Near this fit the measurement tells all of them apart. In {} no other fit was found, which is no proof "
+    "that there is none."
+)
 _TURNS = (
     "{0} fits where the measurement turns: it hardly changes with {0} just there, so the interval from the "
     "covariance is too wide; that of the profile holds."
@@ -124,7 +128,11 @@ def with_turns(
 
 
 def verdict(
-    words: Sequence[str], ends: Sequence[tuple[float, float]], names: Sequence[str]
+    words: Sequence[str],
+    ends: Sequence[tuple[float, float]],
+    names: Sequence[str],
+    searches: int = 1,
+    beyond: bool = False,
 ) -> tuple[str, ...]:
     """Return the words of a fit with what its intervals say of every value.
 
@@ -132,6 +140,8 @@ def verdict(
         words: those of `identify`.
         ends: of the interval of every value, as shares of its range; NaN where it cannot be told.
         names: of the values.
+        searches: that were made for other fits.
+        beyond: the cutting into segments may put a value out of its interval: then none is determined.
 
     A value whose interval is cut by an end of its range, or takes up most of it, is not determined:
     there the range speaks, not the measurement.
@@ -149,9 +159,10 @@ def verdict(
             )
         elif high - low > _WIDE:
             told.append(f"{name} is not determined: its interval spans most of its range.")
-    if not told and np.isfinite(ends).all():
+    if not told and np.isfinite(ends).all() and not beyond:
         alone = f"The measurement determines {names[0]}."
-        told.append("The measurement tells all of them apart." if len(names) > 1 else alone)
+        made = f"{searches} search{'es' * (searches != 1)}"
+        told.append(_APART.format(made) if len(names) > 1 else alone)
     return tuple(told)
 
 

@@ -12,12 +12,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
+from ropewalk.lowering.layout import Span
 from ropewalk.record.books import told
 from ropewalk.record.extremes import had_rope, shares
 from ropewalk.record.parted import count_parted
@@ -257,6 +259,8 @@ class Kept:
                 pick = names[dim].index(pick)
             if not -size <= pick < size:
                 raise IndexError(f"there is no {dim} {pick}: there are {size}")
+            if dim == "segment":
+                _refuse_gap(result.layout.ropes, pick, size)
             where.append(pick)
         left = tuple(
             dim
@@ -274,6 +278,17 @@ class Kept:
         made = _over(_REDUCERS[self.reducer][1], array, over)
         left = tuple(dim for i, dim in enumerate(dims) if i not in over)
         return np.asarray(made, dtype=np.float64), left
+
+
+def _refuse_gap(spans: Sequence[Span], pick: int, size: int) -> None:
+    """Refuse the place between the segments of two ropes, where nothing is. Raises IndexError."""
+    for before, after in pairwise(spans):
+        if pick % size == before.last:
+            rule = (
+                f"segment {pick} lies between ropes {before.name} and {after.name}, where there is none: "
+                f"{before.name} ends with segment {before.last - 1}, {after.name} begins with {after.first}"
+            )
+            raise IndexError(rule)
 
 
 def _over(reduce: Callable[..., Any], array: Floats, axes: tuple[int, ...]) -> Any:
