@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Material, Rope, Scene, Straight
+from ropewalk.scene import Anchor, Joint, Load, Material, Rope, Scene, Straight
 
 
 def beside(deep: float, gravity: float = 0.0, **run: object) -> Scene:
@@ -59,3 +59,30 @@ def test_what_may_carry_is_left_alone() -> None:
     assert told(beside(0.025, gravity=2e3)) == []
     for preset in ("pile", "overhand", "reef", "prusik"):
         assert told(rw.preset(preset)) == []
+
+
+@pytest.mark.parametrize("at", ["elsewhere", "on it", "bound to it"])
+def test_what_hangs_elsewhere_presses_nothing(at: str) -> None:
+    """50 kg on another rope hid two that part with 0.4 m/s; the twins: on the pair, or bound to it, it may."""
+    pair = beside(0.06, gravity=9.81)
+    y = 0.0 if at == "on it" else 5.0
+    hangs = Rope(
+        name="hangs",
+        segments=2,
+        length=1.0,
+        diameter=0.01,
+        made_of=Material(EA=1e6, mass_per_length=0.06),
+        shape=Straight(start=(0.45, y, -0.0099), direction=(0, 0, -1)),
+        loads=[Load(node=-1, mass=50.0)],
+    )
+    tie = [Joint(points=[{"rope": "a", "node": 0}, {"rope": "hangs", "node": 0}])]
+    scene = pair.replace(
+        ropes=[*pair.ropes, hangs],
+        anchors=[Anchor(rope="hangs", node=0)],
+    )
+    if at == "bound to it":
+        hangs = hangs.replace(shape=Straight(start=(0, 0, 0), direction=(0, 0, -1)))
+        scene = pair.replace(ropes=[*pair.ropes, hangs], joints=tie)
+    assert bool(told(scene)) == (at == "elsewhere")
+    if at == "elsewhere":
+        assert apart(scene) > 0.2
