@@ -63,7 +63,7 @@ def test_what_may_carry_is_left_alone() -> None:
 
 @pytest.mark.parametrize("at", ["elsewhere", "on it", "bound to it"])
 def test_what_hangs_elsewhere_presses_nothing(at: str) -> None:
-    """50 kg on another rope hid two that part with 0.4 m/s; the twins: on the pair, or bound to it, it may."""
+    """50 kg on another rope hid two that part with 0.4 m/s. The twins: on the pair, or bound to it."""
     pair = beside(0.06, gravity=9.81)
     y = 0.0 if at == "on it" else 5.0
     hangs = Rope(

@@ -69,10 +69,10 @@ def _deepest(model: Model) -> _Deep | None:
 
 
 def _carried(model: Model) -> Floats:
-    """Return what may press the ropes of each one's heap together: their weight, and twice their largest pull.
+    """Return what may press the ropes of each one's heap together, (ropes,) [N].
 
-    As (ropes,) [N]. In a heap are ropes that touch as the run starts, and those bound to them: what hangs
-    elsewhere presses nothing there.
+    Their weight, and twice their largest pull. In a heap are ropes that touch as the run starts, and those
+    bound to them: what hangs elsewhere presses nothing there.
     """
     state, layout = model.state, model.layout
     heap = _heaps(model)
@@ -90,7 +90,7 @@ def _carried(model: Model) -> Floats:
 def _heaps(model: Model) -> Ints:
     """Return for every rope one that stands for all that touch or are bound to each other, (ropes,)."""
     table, memory, x = model.system.node.contact, model.state.memory.contact, model.state.x
-    heap = table.lead.copy()
+    heap: Ints = table.lead.copy()
     for i, j in memory.near[: memory.tally[NEAR]].tolist():
         one, other = heap[table.rope[[i, j]]]
         if one != other and nearest(x, x, 0.0, i, j)[2] < table.radius[i] + table.radius[j]:
