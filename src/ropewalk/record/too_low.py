@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _LOWER = 0.95  # [1] of what a landing gives at least: less is too low
-#: Steps before the largest force on a body, and less of it [1] in one of them: of 28 of random runs a tenth
-#: too low, unsaid, 13 came so fast, and none of 18 right ones.
+#: Steps before the largest force on a body, and less of it [1] in one of them: of 44 of random runs a tenth
+#: too low, unsaid, 15 came so fast, and none of 23 right ones.
 _HIT, _STRUCK = 3, 0.3
 _ABOUT = 2  # frames from one largest force to another that comes of the same
 _SAME = "see the largest tension, of about the same time: "
