@@ -44,9 +44,9 @@ def test_what_a_swing_has_does_not_hide_what_its_stretch_lost(EA: float, step: f
     coarse = table_of(pendulum(EA), "implicit-euler", step)
     lacks = 100.0 * (1.0 - coarse[PULL] / fine[PULL])
     assert lacks > 20.0
-    least, most = re.findall(r"by some ([\d.]+) % to ([\d.]+) %", coarse[about(PULL)])[0]
+    (most,) = re.findall(r"by up to some ([\d.]+) %", coarse[about(PULL)])
     assert "J of stretch" in coarse[about(PULL)]
-    assert 0.2 * lacks < float(least) < 1.1 * lacks < 1.2 * float(most)
+    assert lacks < float(most) < 2.0 * lacks
     assert about(HAND) in coarse
     assert about(PULL) not in fine
 

@@ -42,6 +42,10 @@ _UNSTRETCHED, _OF_ALL = 0.05, 4e-4
 _MORE = 2.0  # times what was lost of the whole energy: less is told of that
 
 
+#: Of 294 such forces 273 lacked no more than is told, most far less: no least is told.
+_STRETCH = "stretch"
+
+
 class _Energies(NamedTuple):
     """What was lost until a peak, and what its ropes had about it [J]."""
 
@@ -117,6 +121,12 @@ def _words(result: Result, of: _Energies, joined: set[str], *, alone: bool, doub
     apart = 1.0 - 1.0 / math.sqrt(1.0 + lost / there)
     in_step = 1.0 - 1.0 / (1.0 + math.sqrt(lost / there))
     bodies = " and bodies" if turning_of(result) else ""
+    if of.what == _STRETCH:
+        return (
+            f"{head}, beside {there:.3g} J of stretch of all ropes: if that would have been stretch, too, it "
+            f"may be too low by up to some {percent(100.0 * in_step)}, a guess and no bound{doubt}; compare "
+            f"it with {compare}"
+        )
     return (
         f"{head}, beside {there:.3g} J of {of.what} of all ropes{bodies}: if that belongs in it, it "
         f"is too low by some {percent(100.0 * apart)} to {percent(100.0 * in_step)} (in step with it), a "
@@ -144,7 +154,7 @@ def _unstretched(
         return None
     if not lost * whole.there > _MORE * whole.lost * taut:
         return None
-    return _Energies(lost, taut, "stretch", f"in the {1e3 * quarter:.3g} ms before")
+    return _Energies(lost, taut, _STRETCH, f"in the {1e3 * quarter:.3g} ms before")
 
 
 def _lost_in_blow(errors: Floats, frame: int, peak: float, sizes: Sizes) -> float:
