@@ -10,7 +10,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.sweeps.basins import Found, _across, _hollows, _passed, _several
-from ropewalk.sweeps.cutting import _bound
+from ropewalk.sweeps.cutting import _bound, _cuts
 
 LENGTH = "rope.length"
 DETERMINED = "The measurement determines length."
@@ -249,6 +249,19 @@ def test_an_order_is_seen_where_errors_fall_by_it() -> None:
     assert _bound(0.1, None) == (pytest.approx(0.15), False)
     assert _bound(None, -0.1) == (pytest.approx(0.3), False)
     assert _bound(0.0, 0.0) == (0.0, False)
+
+
+def test_a_step_that_is_given_is_halved_with_the_segments() -> None:
+    """Cut to 0.1 m, waves of 316 m/s bound it at 0.32 ms; a run that broke counted."""
+    rope = rw.Rope(segments=20, length=2.0, made_of=rw.Material(EA=1e4, mass_per_length=0.1))
+    run = rw.RunSettings(duration=0.1, method="verlet", time_step=2.5e-4)
+    scene = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], run=run)
+    made = _cuts(scene, [rw.calibrate.kept("tension.max", [1.0], 0.1)])
+    assert made[2.0] == pytest.approx(0.6957, rel=1e-3)
+    broken = _cuts(
+        scene.replace(**{"run.time_step": 4e-4}), [rw.calibrate.kept("tension.max", [1.0], 0.1)]
+    )
+    assert [*broken] == [0.5]  # the fit itself would break then
 
 
 def test_residuals_that_pass_zero_between_two_starts() -> None:

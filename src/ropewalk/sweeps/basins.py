@@ -92,7 +92,7 @@ def find(residuals: Residuals, own: Floats, starts: int, seed: int) -> Found:
             shares = _to_the_ends(np.append(table[:, axis], middle[axis]))
             line = np.tile(middle, (len(shares), 1))
             line[:, axis] = shares
-            search.along(line, *_scan(residuals, line), axis)
+            search.along(line, *_scan(residuals, line))
     least = min(square for _, square in search.places)
     equal = least + _EQUAL * least + 2.0 * residuals.nothing
     best = min(
@@ -147,8 +147,8 @@ class _Search:
         self.ends.append(cost)
         return place
 
-    def along(self, line: Floats, found: Floats, heights: Floats, axis: int = 0) -> None:
-        """Search a row of starts (N, D) that rise along an axis: from every least cost of it.
+    def along(self, line: Floats, found: Floats, heights: Floats) -> None:
+        """Search a row of starts (N, D) along one of the values: from every least cost of it.
 
         A fit between two starts of one value is reached from both: two that lie between them are both found.
         Residuals (N, m) that pass zero between two starts do so somewhere, however the costs lie.

@@ -17,7 +17,7 @@ from ropewalk.lowering import build
 from ropewalk.scene import Scene
 from ropewalk.scene.recut import recut
 from ropewalk.scene.rope import Springs
-from ropewalk.sweeps.batch import REST, RUN, result_of
+from ropewalk.sweeps.batch import GOOD, REST, RUN, result_of
 from ropewalk.sweeps.fit_residuals import Residuals
 from ropewalk.sweeps.keep import parse
 from ropewalk.sweeps.measurements import Measurement
@@ -159,6 +159,8 @@ def _predicted(scene: Scene, factor: float, found: Sequence[Measurement]) -> Flo
             asked = [text for m in found for text in (m.keep if what == RUN else m.rest)]
             if asked:
                 result = result_of(build(scene, stepped=what != REST), what)
+                if result.status not in GOOD:
+                    raise Unknown(f"with {_WORDS[factor]} segments the run breaks")
                 kept[what] = {
                     one.name: one.of(result)[0] for one in map(parse, dict.fromkeys(asked))
                 }
