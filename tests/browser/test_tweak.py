@@ -158,8 +158,8 @@ def test_what_is_out_of_range_is_refused_with_the_range(open_window: Open, serve
     field.fill("50")
     field.press("Enter")
     fault.wait_for(state="hidden")
-    assert _value(server, "segments") == 50
     window.until("r.session.layout.variants[0].nodes === 51")
+    assert _value(server, "segments") == 50
 
 
 def test_what_is_no_number_is_said_at_its_field(open_window: Open, serve: Serve) -> None:
