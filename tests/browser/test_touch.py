@@ -25,8 +25,10 @@ Open = Callable[..., Window]
 Serve = Callable[..., ViewServer]
 TALL = {"viewport": {"width": 1200, "height": 800}}
 ARROWS = "r.viewport.marks.touches.map(({ from, to }) => [[...from], [...to]])"
+# Top and bottom of what stands at the left, the tools and the legend below them [px].
 OVERLAP = """[".toolbar", ".legend"].map((name) => {
-    const { top, bottom } = document.querySelector(name).getBoundingClientRect();
+    const boxes = [...document.querySelectorAll(name)].map((one) => one.getBoundingClientRect());
+    const { top, bottom } = boxes.reduce((a, b) => (b.left < a.left ? b : a));
     return [top, bottom];
 })"""
 
@@ -120,6 +122,28 @@ def test_a_short_window_has_them_folded_away(open_window: Open, serve: Serve) ->
         window.settled()
     window.click("#wraps summary")
     assert "drum: " in window.page.locator("#wrap-list").inner_text()
+
+
+def test_a_line_on_constant_forces_takes_its_room_from_the_wraps(
+    open_window: Open, serve: Serve
+) -> None:
+    """The legend lay over the lowest tool."""
+    server = serve(Session(preset("clove-hitch"), "clove-hitch"))
+    window = open_window(server.address, viewport={"width": 1280, "height": 800}).ready()
+    window.tell(type="step", count=40)
+    window.settled()
+    if not window.page.locator("#wrap-list").is_visible():
+        window.click("#wraps summary")
+    window.settled()
+    window.page.evaluate(
+        "() => { for (let k = 0; k < 9; k++) {"
+        " const line = document.createElement('p'); line.textContent = `wrap ${k}`;"
+        " document.querySelector('#wraps').append(line); } }"
+    )
+    window.page.evaluate("() => { document.querySelector('.balance').hidden = true; }")
+    assert "constant forces" in window.page.locator("#given").inner_text()
+    (_, tools), (legend, _) = window.ask(OVERLAP)
+    assert legend >= tools
 
 
 @pytest.mark.parametrize("shared", [True, False])
