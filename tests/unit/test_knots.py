@@ -357,7 +357,7 @@ def test_a_ring_lies_where_the_munter_is_tied() -> None:
         ({"knot": "overhand", "rope": 2}, "rope: 2 - leave it out: an overhand has one rope"),
         ({"knot": "munter"}, "post_radius: missing - a munter is tied about a post"),
         ({"knot": "reef", "along": (0, 0, 0)}, "along: .* - must not be zero"),
-        ({"knot": "reef", "along": (0, 0, 2)}, "normal: .* - must not point the way that along"),
+        ({"knot": "reef", "along": (0, 0, 2)}, "normal: .* - must not point along `along`"),
         ({"knot": "bollard", "post_radius": 0.02, "turns": 90}, "turns: 90.* - must be from 0.5"),
     ],
 )

@@ -272,7 +272,8 @@ def test_numbers_of_numpy_are_told_as_numbers() -> None:
 
 
 def test_faults_between_ropes() -> None:
-    assert faults(ROPE + ROPE) == ['rope[1].name: "line" - is the name of rope[0] already']
+    twice = 'rope[1].name: "line" - is the name of rope[0] already: give it another'
+    assert faults(ROPE + ROPE) == [twice]
     unnamed = TWO.replace('name = "other"', "")
     assert faults(unnamed) == ["rope[1].name: missing - with several ropes each needs a name"]
     anchor = "[[anchor]]\nnode = 0\n"

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats
 from ropewalk.hands.drive import shortest_turn
+from ropewalk.scene.faults import NO_DIRECTION
 from ropewalk.words.annotations import unquoted
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class AnchorHandle:
         self._check_clamped("turn_to")
         size = float(np.linalg.norm(vector))
         if size == 0.0:
-            raise ValueError(f"direction: {direction!r} - must not be zero")
+            raise ValueError(f"direction: {direction!r} - {NO_DIRECTION}")
         shortest_turn(self.direction, vector / size)
         self._simulation.set_goal(self._row, direction=vector / size)
 

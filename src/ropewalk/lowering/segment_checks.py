@@ -25,11 +25,11 @@ def refuse_segments(scene: Scene) -> None:
         if said and rope.rigid:
             rule = f"has {said[0]}, but links that do not stretch (inf): give it a finite stiffness"
             faults.append(Fault(f"rope[{i}]", NO_VALUE, rule))
-    for winch in scene.winches:
+    for i, winch in enumerate(scene.winches):
         rope = scene.rope_named(winch.rope)
         for name in _unwindable(rope):
             rule = f"has {name}, with which a winch cannot wind it: leave out one of them"
-            faults.append(Fault("rope", rope.name, rule))
+            faults.append(Fault(f"winch[{i}].rope", rope.name, rule))
     if faults:
         raise SceneError(faults)
 

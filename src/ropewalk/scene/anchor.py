@@ -19,7 +19,7 @@ from ropewalk.scene.base import (
     stop_time,
     vector,
 )
-from ropewalk.scene.faults import Fault
+from ropewalk.scene.faults import NO_DIRECTION, Fault
 from ropewalk.scene.motions import (
     Fixed,
     Hand,
@@ -54,7 +54,7 @@ class Clamp(Model):
     def _check(self) -> Clamp:
         faults = interval_faults(self.start, self.stop)
         if not any(self.direction):
-            faults.append(Fault("direction", self.direction, "must not be zero"))
+            faults.append(Fault("direction", self.direction, NO_DIRECTION))
         faults += [Fault("turn_axis", f.value, f.rule) for f in axis_faults(self.turn_axis)]
         refuse(faults)
         return self

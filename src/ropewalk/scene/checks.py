@@ -55,9 +55,8 @@ def _named_once(section: str, names: Iterable[str | None]) -> Iterator[Fault]:
     for i, given in enumerate(names):
         name = given or f"{section}{i}"
         if given is not None and seen.setdefault(name, i) != i:
-            yield Fault(
-                f"{section}[{i}].name", name, f"is the name of {section}[{seen[name]}] already"
-            )
+            rule = f"is the name of {section}[{seen[name]}] already: give it another"
+            yield Fault(f"{section}[{i}].name", name, rule)
 
 
 def _weights(
@@ -86,7 +85,8 @@ def _ropes(ropes: Sequence[Rope | None], limiter: Limiter | None) -> Iterator[Fa
             yield Fault(f"rope[{i}].name", MISSING, "with several ropes each needs a name")
         elif names.setdefault(rope.name, i) != i:
             first = names[rope.name]
-            yield Fault(f"rope[{i}].name", rope.name, f"is the name of rope[{first}] already")
+            rule = f"is the name of rope[{first}] already: give it another"
+            yield Fault(f"rope[{i}].name", rope.name, rule)
         if limiter is not None and rope.segment_length == 0.0:
             yield Fault(
                 "limiter", NO_VALUE, f"cannot limit rope[{i}], whose springs have no length"
@@ -171,7 +171,8 @@ def _anchors(ropes: Sequence[Rope | None], anchors: Sequence[Anchor | None]) -> 
             yield Fault(f"anchor[{i}].clamp", NO_VALUE, rule)
         first = held.setdefault((index, anchor.node % rope.nodes), i)
         if first != i:
-            yield Fault(f"anchor[{i}].node", anchor.node, f"is held by anchor[{first}] already")
+            rule = f"is held by anchor[{first}] already: leave out one of the two"
+            yield Fault(f"anchor[{i}].node", anchor.node, rule)
 
 
 def _winches(
@@ -193,13 +194,13 @@ def _winches(
             continue
         earlier = first.setdefault((index, winch.end), i)
         if earlier != i:
-            yield Fault(f"{path}.end", winch.end, f"has winch[{earlier}] already")
+            rule = f"has winch[{earlier}] already: leave out one of the two"
+            yield Fault(f"{path}.end", winch.end, rule)
         end = 0 if winch.end == "start" else rope.segments
         if held is not None and (index, end) not in held:
             node = 0 if winch.end == "start" else -1
-            yield Fault(
-                f"{path}.end", winch.end, f"needs an anchor at node {node} of {rope.name!r}"
-            )
+            rule = f"needs an anchor at node {node} of {rope.name!r}: give [[anchor]] one, too"
+            yield Fault(f"{path}.end", winch.end, rule)
         yield from (fault.below(path) for fault in _winch_lengths(winch, rope))
 
 
@@ -221,7 +222,8 @@ def _held(
 def _winch_lengths(winch: Winch, rope: Rope) -> Iterator[Fault]:
     length = rope.length_unstretched
     if length == 0.0:
-        yield Fault("rope", rope.name, "has springs of no length, which a winch cannot change")
+        rule = "has springs of no length, which a winch cannot change: give it one, or leave out the winch"
+        yield Fault("rope", rope.name, rule)
         return
     if rope.rigid:
         rule = (
@@ -297,7 +299,7 @@ def _tied_once(
     path = f"joint[{place[0]}].points[{place[1]}].node"
     joint, k = tied.setdefault(point, place)
     if joint == place[0] and k != place[1]:
-        yield Fault(path, node, f"is points[{k}] already")
+        yield Fault(path, node, f"is points[{k}] already: leave out one of the two")
     elif joint != place[0]:
         rule = f"is tied by joint[{joint}] already: list all nodes that meet in one joint"
         yield Fault(path, node, rule)
@@ -305,7 +307,8 @@ def _tied_once(
         other = tied.get((point[0], point[1] + beside))
         if other is not None and other[0] == place[0] and other[1] < place[1]:
             rule = (
-                f"is the neighbour of points[{other[1]}]: the segment between would have no length"
+                f"is the neighbour of points[{other[1]}]: the segment between would have no length; tie a "
+                "node farther along"
             )
             yield Fault(path, node, rule)
 

@@ -30,6 +30,10 @@ class _Missing(_NoValue):
         return "MISSING"
 
 
+#: The rule that a vector of no length breaks where a direction is asked for.
+NO_DIRECTION = (
+    "must not be zero: give a vector of any length that points that way, such as [0, 0, 1]"
+)
 NO_VALUE = _NoValue()
 MISSING = _Missing()
 

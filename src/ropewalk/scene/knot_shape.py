@@ -19,7 +19,7 @@ from ropewalk.scene.base import (
     refuse,
     vector,
 )
-from ropewalk.scene.faults import MISSING, Fault
+from ropewalk.scene.faults import MISSING, NO_DIRECTION, Fault
 from ropewalk.scene.obstacles import Cylinder, Torus
 from ropewalk.scene.shape_model import ShapeModel
 from ropewalk.scene.sheet_numbers import given
@@ -92,12 +92,13 @@ class Knot(ShapeModel):
         if self.rope > 1 and not two:
             found.append(Fault("rope", self.rope, f"leave it out: {named(self.knot)} has one rope"))
         found += [
-            Fault(path, getattr(self, path), "must not be zero")
+            Fault(path, getattr(self, path), NO_DIRECTION)
             for path in ("along", "normal")
             if not any(getattr(self, path))
         ]
         if not found and self._across() is None:
-            found.append(Fault("normal", self.normal, "must not point the way that along does"))
+            rule = "must not point along `along`: give a direction across it"
+            found.append(Fault("normal", self.normal, rule))
         refuse(found)
         return self
 

@@ -21,7 +21,7 @@ from ropewalk.scene.base import (
     stop_time,
     vector,
 )
-from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, NO_DIRECTION, NO_VALUE, Fault
 from ropewalk.scene.limits import HUGE
 
 
@@ -129,7 +129,8 @@ class Orbit(Model):
     def _check(self) -> Orbit:
         faults = axis_faults(self.axis)
         if abs(self.frequency) < 1e-12:
-            faults.append(Fault("frequency", self.frequency, "must not be zero"))
+            rule = "must not be zero: for a node that rests leave out its motion"
+            faults.append(Fault("frequency", self.frequency, rule))
         refuse(faults)
         return self
 
@@ -163,7 +164,7 @@ def interval_faults(start: float, stop: float) -> list[Fault]:
 
 def axis_faults(axis: Vector) -> list[Fault]:
     """A fault when a direction has no length."""
-    return [] if any(axis) else [Fault("axis", axis, "must not be zero")]
+    return [] if any(axis) else [Fault("axis", axis, NO_DIRECTION)]
 
 
 Told = Fixed | Velocity | Table | Shake | Orbit  # obstacles have these, too

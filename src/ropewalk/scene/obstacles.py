@@ -73,7 +73,8 @@ class _Between(Body):
     @model_validator(mode="after")
     def _check_ends(self) -> _Between:
         if self.start == self.end:
-            refuse([Fault("to", self.end, "must not be the point from which it goes")])
+            rule = "must not be the point from which it goes: give its other end"
+            refuse([Fault("to", self.end, rule)])
         return self
 
 
@@ -108,7 +109,8 @@ class HalfPipe(_Between, Turning):
         scale = math.hypot(*along) * math.hypot(*self.open_to)
         inner = sum(a * b for a, b in zip(along, self.open_to, strict=True))
         if not abs(inner) < 0.999 * scale:
-            refuse([Fault("open_to", self.open_to, "must not lie along its axis")])
+            rule = "must not lie along its axis: give a direction across it"
+            refuse([Fault("open_to", self.open_to, rule)])
         return self
 
 
@@ -129,7 +131,7 @@ class Box(Tumbling):
     @model_validator(mode="after")
     def _check(self) -> Box:
         if not min(self.half_sizes) > 0.0:
-            refuse([Fault("half_sizes", self.half_sizes, "must be greater than zero")])
+            refuse([Fault("half_sizes", self.half_sizes, "must all three be greater than 0")])
         if self.edge_radius > (least := min(self.half_sizes)):
             rule = f"must be at most the least of half_sizes ({least:g} m)"
             refuse([Fault("edge_radius", self.edge_radius, rule)])

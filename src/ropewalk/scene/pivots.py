@@ -21,7 +21,9 @@ def pivot_faults(body: Any, spin: Spin) -> list[Fault]:
     faults = []
     given = {name for name in ("pivot", "axis", "mass") if getattr(spin, name) is not None}
     if given and body.kind in ("plane", "half-pipe"):
-        rule = "is for bodies that have an end: this one turns about its own axis only"
+        rule = (
+            "is for bodies that have an end: this one turns about its own axis only; leave it out"
+        )
         return [Fault(f"spin.{min(given)}", NO_VALUE, rule)]
     if spin.axis is not None:
         if body.kind in _OWN:

@@ -81,7 +81,8 @@ def pair_faults(
                 own["other"] = pair.other
             for key, name in own.items():
                 if name not in names and None not in ropes:
-                    yield Fault(f"{here}.{key}", name, f"is no rope: {nearest(name, names)}")
+                    yield Fault(f"{here}.{key}", name, f"is no rope; {nearest(name, names)}")
             first = seen.setdefault(frozenset(own.values()), i)
             if first != i:
-                yield Fault(f"{here}.rope", pair.rope, f"is told by {path}.pair[{first}] already")
+                rule = f"is told by {path}.pair[{first}] already: leave out one of the two"
+                yield Fault(f"{here}.rope", pair.rope, rule)

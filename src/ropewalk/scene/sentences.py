@@ -93,6 +93,8 @@ def _unknown(where: Place, key: str) -> str:
     owner = where.owner
     if key in keys(owner) or key in owner.model_fields:
         return "is given already, by its name in Python; leave out one of the two"
+    if meant := _MEANT.get((tag(owner) or "", key)):
+        return f'unknown key of {tag(owner)!r}; did you mean "{meant}"?'
     others = [repr(tag(one)) for one in siblings(owner) if key in keys(one)]
     if others:
         return f"unknown key of {tag(owner)!r}; only {', '.join(others)} have it"
@@ -101,7 +103,10 @@ def _unknown(where: Place, key: str) -> str:
     homes = [join(path, key) for path, model in all_sections() if key in keys(model)]
     home = next((path for path in homes if path.count(".") <= 1), None)
     if home is not None and key != "kind":
-        return f'unknown key here; it belongs to "{home}"'
+        rule = f'unknown key here; it belongs to "{home}"'
+        if "[" in where.path:  # no key of the top that came behind a header: there is more to tell
+            rule += f"; this one has {', '.join(keys(owner))}"
+        return rule
     kind = tag(owner)
     of = f" of {kind!r}" if kind else ""
     return f"unknown key{of}; {nearest(key, list(keys(owner)))}"
@@ -174,6 +179,13 @@ def _list(_: Mapping[str, Any], where: Place, value: Any) -> str:
 _NOT_BUILT = {
     "restitution": "there is none here, but of obstacles, and of ropes on ropes in [contact]: a [ground] "
     "throws back by its spring, the less the larger its damping_ratio; leave it out",
+}
+#: What other parts call what a part has by another name.
+_MEANT = {
+    ("knot", "axis"): "normal",
+    ("knot", "direction"): "along",
+    ("knot", "position"): "center",
+    ("knot", "radius"): "post_radius",
 }
 _Rule = Callable[[Mapping[str, Any], Place, Any], str]
 _RULES: dict[str, _Rule] = {

@@ -14,7 +14,7 @@ import numpy as np
 from pydantic import Field, ValidationInfo, model_validator
 
 from ropewalk.scene.base import Many, Number, Text, Vector, positive, refuse, vector
-from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, NO_DIRECTION, NO_VALUE, Fault
 from ropewalk.scene.knot_shape import Knot
 from ropewalk.scene.limits import HUGE
 from ropewalk.scene.shape_model import ShapeModel
@@ -49,7 +49,7 @@ class Straight(ShapeModel):
         elif self.end is not None and tuple(self.end) == tuple(self.start):
             faults.append(Fault("end", self.end, "must be another point than start"))
         elif self.direction is not None and not any(self.direction):
-            faults.append(Fault("direction", self.direction, "must not be zero"))
+            faults.append(Fault("direction", self.direction, NO_DIRECTION))
         refuse(faults)
         return self
 

@@ -84,7 +84,7 @@ def slide_faults(
             continue
         name = slide.name or f"slide{i}"
         if titles.setdefault(name, i) != i:
-            rule = f"is the name of slide[{titles[name]}] already"
+            rule = f"is the name of slide[{titles[name]}] already: give it another"
             found.append(Fault(f"slide[{i}].name", name, rule))
         on = slide.on or names[0]
         unknown = [
@@ -99,14 +99,13 @@ def slide_faults(
         found += [*_one(i, slide, rope, line), *_wound(i, slide, rope, winches)]
         point = slide.rope, slide.node % rope.nodes
         if seen.setdefault(point, i) != i:
-            found.append(
-                Fault(f"slide[{i}].node", slide.node, f"slides already, by slide[{seen[point]}]")
-            )
+            rule = f"slides already, by slide[{seen[point]}]: leave out one of the two"
+            found.append(Fault(f"slide[{i}].node", slide.node, rule))
     return found
 
 
 def _no_rope(name: str, names: Sequence[str]) -> str:
-    return f"is no rope: {nearest(name, names)}"
+    return f"is no rope; {nearest(name, names)}"
 
 
 def _one(i: int, slide: Slide, rope: Rope, line: Rope) -> Iterator[Fault]:

@@ -87,10 +87,11 @@ class Spin(Model):
         if self.rate is None and not by_table:
             refuse([Fault("rate", MISSING, "give rate, or times and angles, or free = true")])
         if self.rate is not None and by_table:
-            rule = "give either rate or times and angles"
+            rule = "give either rate or times and angles, not both"
             refuse([Fault(min(by_table), NO_VALUE, rule)])
         if by_table and (over := given & {"start", "stop"}):
-            refuse([Fault(min(over), NO_VALUE, "a table of angles has times of its own")])
+            rule = "a table of angles has times of its own: leave it out"
+            refuse([Fault(min(over), NO_VALUE, rule)])
         if not by_table:
             refuse(interval_faults(self.start, self.stop))
             return self
@@ -122,7 +123,9 @@ def _wheel_faults(spin: Spin) -> list[Fault]:
         )
         faults.append(Fault("inertia", MISSING, rule))
     if over := spin.model_fields_set & {"start", "stop", "times", "angles", "interpolation"}:
-        rule = "is for an obstacle that is turned: one that is free turns as ropes turn it"
+        rule = (
+            "is for an obstacle that is turned, and one that is free is not: leave it out, or free"
+        )
         faults.append(Fault(min(over), NO_VALUE, rule))
     if spin.center_of_mass is not None and spin.mass is None:
         faults.append(Fault("mass", MISSING, "give the mass whose centre center_of_mass is"))
