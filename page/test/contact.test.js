@@ -149,7 +149,7 @@ test("a ratio is of two sides that pull, and else none everywhere", () => {
 test("of a broken rope nothing is told of its posts", () => {
   const rope = new Rope(over([1, 1.2], { posts: [post(), post({ kind: "plane" })] }));
   const names = [
-    "tensions beside the post", "the larger over the smaller", "angle round the post", "taken by the posts",
+    "tensions at the post", "their ratio", "angle round the post", "taken by the posts",
   ]; // prettier-ignore
   assert.deepEqual(postRows(rope, null, true), names.map((name) => [name, "none"])); // prettier-ignore
   assert.equal(postRows(rope, null, false)[3][1], "0 J");

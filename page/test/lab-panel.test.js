@@ -5,6 +5,7 @@ import { largestStep } from "../src/lab/bounds.js";
 import { Rope } from "../src/lab/kernel.js";
 import { named } from "../src/lab/named.js";
 import { Probe, measured } from "../src/lab/probe.js";
+import { saidOf } from "../src/lab/typed.js";
 
 /** Two springs of 1000 N/m along x between nodes of 0.1, 1 and 0.1 kg. @param {object} [more] @returns {any} */
 const pair = (more = {}) => ({
@@ -63,4 +64,20 @@ test("a measured curve begins where it is chosen", () => {
     probe.choose(node);
     assert.deepEqual(kept, [[0, node]]);
   }
+});
+
+test("what is written and cannot be had is told in a sentence", () => {
+  const said = (/** @type {number} */ typed) => saidOf("Gravity g", typed, 0, 25, 9.81, "m/s²");
+  assert.equal(said(NaN), "Gravity g needs a number; it stays 9.81 m/s².");
+  assert.equal(
+    said(-1),
+    "Gravity g: -1 m/s² is less than the least here, 0 m/s², which it is now.",
+  );
+  assert.equal(
+    said(26),
+    "Gravity g: 26 m/s² is more than the most here, 25 m/s², which it is now.",
+  );
+  for (const fine of [0, 1.62, 25]) assert.equal(said(fine), "");
+  const third = saidOf("k", 0.333333, 1 / 3, 1, 0.5, "N/m"); // as the least of it is shown
+  assert.equal(third, "");
 });

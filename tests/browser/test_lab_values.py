@@ -363,3 +363,34 @@ def test_a_phone_has_the_rope_and_targets_for_fingers(
     assert card["y"] >= rope["y"] + rope["height"] or card["x"] >= rope["x"] + rope["width"]
     page.evaluate("scrollTo(0, 1e5)")
     assert page.locator("main").bounding_box()["y"] >= 0  # still in sight
+
+
+def test_what_cannot_be_had_is_told_beside_its_field(tmp_path: Path, open_window: Any) -> None:
+    """An empty field went back to its number, and one too large to the largest, without a word."""
+    page = open_window(write_lab(tmp_path / "lab.html").as_uri()).page
+    held = page.input_value("#k-shown")
+    assert page.is_hidden("#typed")
+    for written, said in (
+        ("", f"Spring constant k needs a number; it stays {held} N/m."),
+        ("1e99", "Spring constant k: 1e+99 N/m is more than the most here, "),
+        ("-3", "Spring constant k: -3 N/m is less than the least here, "),
+    ):
+        page.fill("#k-shown", written)
+        page.press("#k-shown", "Enter")
+        assert page.inner_text(".value:has(#k) #typed").startswith(said)
+    page.fill("#k-shown", held)
+    page.press("#k-shown", "Enter")
+    assert page.is_hidden("#typed")  # the twin: what can be had is not told
+    page.fill("#node", "3")
+    page.press("#node", "Enter")
+    assert page.is_hidden("#typed")
+    page.fill("#node", "")
+    page.press("#node", "Enter")
+    assert page.inner_text(".measure #typed") == "The node needs a number; it stays 3."
+    assert page.input_value("#node") == "3"  # it was node 0 then
+    page.fill("#node", "900")
+    page.press("#node", "Enter")
+    assert "900 is more than the most here, " in page.inner_text(".measure #typed")
+    page.click("#restart")
+    write(page, "g", 3.0)
+    assert page.is_hidden("#typed")

@@ -11,6 +11,7 @@ import { Probe, middle } from "./probe.js";
 import { Resampler, Sound } from "../sound.js";
 import { bridge } from "./bridge.js";
 import { Strip } from "./strip.js";
+import { Typed } from "./typed.js";
 import { Values, scaled } from "./values.js";
 import { Verdict } from "./verdict.js";
 import { atMost, whyItBroke } from "./why.js";
@@ -46,12 +47,13 @@ class Lab {
     /** @type {number | undefined} */ this.step = undefined; // [s]
     this.since = this.count = 0; // when the steps got their length [s], and how many there were since
     this.taut = 0; // the elastic energy of the straight rope, from which that counts [J]
-    this.probe = new Probe(this, find);
+    const typed = new Typed(find("typed"));
+    this.probe = new Probe(this, find, typed);
     this.sound = new Sound();
     const theme = matchMedia("(prefers-color-scheme: dark)");
     theme.onchange = () => this.tint(theme.matches);
     this.tint(theme.matches);
-    this.values = new Values(find, () => {
+    this.values = new Values(find, typed, () => {
       this.apply();
       if (!this.playing) this.draw();
     });

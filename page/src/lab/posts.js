@@ -57,8 +57,8 @@ export function postRows(rope, now, broken) {
   /** @param {string} value */
   const whole = (value) => (broken ? "none" : value);
   return [
-    ["tensions beside the post", now ? now.sides.map((one) => told(one, "N")).join(", ") : "none"],
-    ["the larger over the smaller", toldRatio(now?.ratio ?? NaN)],
+    ["tensions at the post", now ? now.sides.map((one) => told(one, "N")).join(", ") : "none"],
+    ["their ratio", toldRatio(now?.ratio ?? NaN)],
     ["angle round the post", whole(toldAngle(now?.angle ?? 0))],
     [`taken by the post${several}`, whole(told(takenByPosts(rope), "J"))],
   ];

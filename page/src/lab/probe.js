@@ -2,6 +2,7 @@
 
 import { readPosts } from "./posts.js";
 import { Strip } from "./strip.js";
+import { saidOf } from "./typed.js";
 
 /** @typedef {import("./kernel.js").Rope} Rope */
 /** @typedef {{rope?: Rope, tension?: Float64Array, broken?: boolean, plane(): [number[], number[]],
@@ -42,8 +43,8 @@ export function middle(rope) {
 }
 
 export class Probe {
-  /** @param {Lab} lab @param {(id: string) => HTMLElement} find */
-  constructor(lab, find) {
+  /** @param {Lab} lab @param {(id: string) => HTMLElement} find @param {import("./typed.js").Typed} typed */
+  constructor(lab, find, typed) {
     this.lab = lab;
     this.node = 0;
     this.field = /** @type {HTMLInputElement} */ (find("node"));
@@ -51,7 +52,11 @@ export class Probe {
     this.reading = find("reading");
     const canvas = /** @type {HTMLCanvasElement} */ (find("graph"));
     this.strip = new Strip(canvas, [{ name: "accent" }], () => lab.draw());
-    this.field.onchange = () => this.choose(this.field.valueAsNumber);
+    this.field.onchange = () => {
+      const written = this.field.valueAsNumber;
+      typed.say(this.field, saidOf("The node", written, 0, (lab.rope?.n ?? 1) - 1, this.node, ""));
+      this.choose(Number.isNaN(written) ? this.node : written);
+    };
     this.choice.onchange = () => this.choose(this.node);
     find("save").onclick = () => this.save();
   }

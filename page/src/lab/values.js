@@ -1,6 +1,7 @@
 // The values that a visitor changes: by slider, by number, back by one, and back to the scene's own.
 
 import { METHODS } from "./kernel.js";
+import { saidOf } from "./typed.js";
 
 /** @typedef {import("./kernel.js").Scene} Scene */
 /** @typedef {import("./kernel.js").Rope} Rope */
@@ -22,9 +23,11 @@ export const scaled = (value, own, now) =>
   value === own ? now : own > 0 ? (now / own) * value : value;
 
 export class Values {
-  /** @param {(id: string) => HTMLElement} find @param {() => void} changed called when a value has changed */
-  constructor(find, changed) {
+  /** @param {(id: string) => HTMLElement} find @param {import("./typed.js").Typed} typed
+   * @param {() => void} changed called when a value has changed */
+  constructor(find, typed, changed) {
     this.find = find;
+    this.typed = typed;
     this.changed = changed;
     /** @type {Set[]} */ this.before = []; // what Undo goes back to, the newest last
     /** @type {Set} */ this.own = { k: 1, c: 0, m: 1, step: 1, g: 0, mu: 0, method: METHODS[0] }; // the scene's
@@ -122,20 +125,22 @@ export class Values {
 
   /** @param {Name} name the field in which a number was written */
   #type(name) {
-    const value = this.#field(name).valueAsNumber / SHOWN[name];
-    if (Number.isFinite(value)) {
-      const { min, max } = this.#slider(name);
-      const [low, high] = [min, max].map((end) =>
-        PLAIN.includes(name) ? Number(end) : 10 ** Number(end) * this.unit[name],
-      );
-      const least = name === "c" ? 0 : low;
-      this.now[name] = Math.min(Math.max(value, least), high);
-    }
+    const [field, slider, scale] = [this.#field(name), this.#slider(name), SHOWN[name]];
+    const { valueAsNumber: written, parentElement: beside } = field;
+    const [low, high] = [slider.min, slider.max].map((end) =>
+      PLAIN.includes(name) ? Number(end) : 10 ** Number(end) * this.unit[name],
+    );
+    const least = name === "c" ? 0 : low;
+    const [what, unit] = [slider.ariaLabel ?? name, beside?.textContent?.trim() ?? ""];
+    const said = saidOf(what, written, scale * least, scale * high, scale * this.now[name], unit);
+    if (Number.isFinite(written)) this.now[name] = Math.min(Math.max(written / scale, least), high);
     this.#take();
+    this.typed.say(field, said);
   }
 
   /** Bring sliders, fields and buttons to the values. */
   show() {
+    this.typed.clear();
     const { now, own, before, unit } = this;
     for (const name of NAMES) {
       const value = now[name];
