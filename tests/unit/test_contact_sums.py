@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -94,6 +96,36 @@ def test_in_a_groove_each_side_has_its_own_friction(left: int, right: int, along
     for row in range(2):
         assert np.allclose(sizes[:, row], np.linalg.norm(kept[row], axis=0), rtol=0.01)
     assert last["friction used [1]"].max() <= 1.0 + 1e-9
+
+
+@pytest.mark.parametrize("start", ["at-rest", "shape"])
+@pytest.mark.parametrize("friction", [(0.1, 0.5), (0.05, 0.8)])
+def test_no_side_of_a_groove_carries_more_than_its_friction(
+    start: str, friction: tuple[float, float]
+) -> None:
+    """On a slope near to what it holds a rope that creeps in is held across, too: 1.008 of it was told."""
+    half, limit = math.radians(30.0), math.atan(sum(friction))  # (mu + mu') / 2 over sin 30 degrees
+    tilt = limit - math.radians(5.0)
+    rope = rw.Rope(
+        segments=10,
+        length=0.5,
+        diameter=0.01,
+        made_of=rw.Material(EA=1e4, mass_per_length=0.1, axial_damping=5.0),
+        shape=Straight(start=(0, 0, 0.01), end=(0.5, 0, 0.01)),
+    )
+    normals = [(0, side * math.cos(half), math.sin(half)) for side in (1, -1)]
+    sides = [Plane(normal=one, friction=mu) for one, mu in zip(normals, friction, strict=True)]
+    down = (9.81 * math.sin(tilt), 0, -9.81 * math.cos(tilt))
+    run = {"method": "esdirk3", "duration": 0.1, "frame_rate": 100, "start": start}
+    result = rw.simulate(Scene(gravity=down, ropes=[rope], obstacles=sides, run=run))
+    table = result.to_pandas("contacts")
+    assert 0.9 < table["friction used [1]"].max() <= 1.0 + 1e-6
+    coefficients = np.tile(friction, len(table) // 2)
+    most = coefficients * table["normal force [N]"].to_numpy()
+    assert (table["friction force [N]"] <= (1.0 + 1e-6) * most).all()
+    parts = table[["fx [N]", "fy [N]", "fz [N]"]].to_numpy().reshape(-1, 11, 2, 3).sum(axis=2)
+    forces = [force for force in result.contact_force if force.any()]
+    assert np.allclose(parts, forces, rtol=1e-9, atol=1e-12)
 
 
 def test_what_an_obstacle_bears_is_told_when_another_rope_has_broken() -> None:

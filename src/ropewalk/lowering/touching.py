@@ -20,6 +20,7 @@ from ropewalk.laws.polygon import pulls_ahead, tilted, turned_by
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 _PARALLEL = 1e-9  # [1] least of A's eigenvalues over the largest, below which surfaces are parallel
+_SPLITS = 100  # times that friction is split among the surfaces that a node touches, until none has too much
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
 _Row = tuple[
@@ -245,10 +246,17 @@ def _split(normal: Floats, most: Floats, rest: Floats) -> Floats:
 
     Of all that add up to it those with the least sum of |R_t|^2 / (mu R_n): with l from A l = rest, A the sum
     of mu R_n P, P = I - n n^T, they are mu R_n P l. Across a groove there is but one, along it each has what
-    its own could carry at most.
+    its own could carry at most. Which of them it is, springs that stick alone know; none carries more than
+    mu R_n, and where one of these does, it counts for less until it does not.
     """
-    along = most[:, None, None] * (np.eye(3) - normal[:, :, None] * normal[:, None, :])
-    found: Floats = along @ (
-        np.linalg.pinv(along.sum(axis=0), rcond=_PARALLEL, hermitian=True) @ rest
-    )
+    weight = most.copy()
+    for _ in range(_SPLITS):
+        along = weight[:, None, None] * (np.eye(3) - normal[:, :, None] * normal[:, None, :])
+        found: Floats = along @ (
+            np.linalg.pinv(along.sum(axis=0), rcond=_PARALLEL, hermitian=True) @ rest
+        )
+        over = np.linalg.norm(found, axis=1) / np.where(most > 0.0, most, np.inf)
+        if over.max() <= 1.0 + _PARALLEL:
+            break
+        weight /= np.maximum(over, 1.0) ** 2
     return found
