@@ -10,6 +10,7 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.scene import Anchor, Force, Material, Points, Polyline, Rope, Scene
+from ropewalk.scene.presets import preset
 from ropewalk.statics import NoRest, static_shape
 from verification.test_rest_on_obstacles import RUN, drum, weighted
 
@@ -96,3 +97,26 @@ def test_what_only_friction_holds_is_strained() -> None:
     assert rest.stretch.max() == pytest.approx(1.0 + rest.largest_tension / 1e5, rel=1e-9)
     strain = rw.check(scene, measure=False).ropes[0].largest_strain
     assert strain == pytest.approx(rest.largest_tension / 1e5, rel=1e-4)
+
+
+def test_a_rope_that_is_drawn_short_is_told_to_be_drawn_as_long_as_it_is() -> None:
+    """It was told of a compliance, with which it slid and fell; drawn as long as it is, it rests."""
+    capstan = preset("capstan")
+    long = capstan.replace(**{"rope.length": 3.6})
+    with pytest.raises(NoRest) as told:
+        static_shape(long)
+    assert "as it falls: its shape is 1.2" in str(told.value)
+    assert "m long, and it is 3.6 m; draw it as long as it is" in str(told.value)
+    assert "compliance" not in str(told.value)
+    points = [list(point) for point in capstan.ropes[0].shape.points]
+    for end in (points[0], points[-1]):  # which hang straight down
+        end[2] -= 0.5 * (3.6 - 1.22)
+    static_shape(long.replace(**{"rope.shape.points": points}))
+
+
+def test_a_rope_that_is_drawn_taut_is_told_of_a_compliance_with_which_it_rests() -> None:
+    """The twin: tension presses it in, and what is told keeps it out."""
+    with pytest.raises(NoRest) as told:
+        static_shape(taut_over_a_pipe(2.06, compliance=SOFT))
+    most = float(re.search(r"compliance of at most (\S+) m/N", str(told.value))[1])
+    static_shape(taut_over_a_pipe(2.06, compliance=most))

@@ -27,6 +27,7 @@ _THROUGH = (
 _ALLOWED = (
     0.02  # of a rope's radius, or of the body's: the depth that a compliance is named for [1]
 )
+_SHORT = 0.9  # of a rope's length: one whose shape is shorter falls before it hangs [1]
 
 
 class Pressed(NamedTuple):
@@ -43,11 +44,29 @@ class Pressed(NamedTuple):
         rope, number = model.layout.rope_of(self.node)
         name = model.scene.obstacles[self.obstacle].name
         through = " and through it" if self.through else ""
+        helps = _drawn_short(model, rope) if self.through else ""
+        helps = helps or (
+            "by tension or weight; give the obstacle a compliance of at most "
+            f"{rounded(self.compliance)} m/N"
+        )
         return (
             f"no shape of rest was found: node {number} of rope {rope!r} is pressed "
-            f"{1e3 * self.depth:.3g} mm into {name!r}{through} by tension or weight; give the "
-            f"obstacle a compliance of at most {rounded(self.compliance)} m/N"
+            f"{1e3 * self.depth:.3g} mm into {name!r}{through} {helps}"
         )
+
+
+def _drawn_short(model: Model, rope: str) -> str:
+    """Say that a rope is drawn much shorter than it is, and falls before it hangs; "" of another one.
+
+    It comes through a body as it falls, which no compliance keeps: a stiffer one lets it slide and fall.
+    """
+    span, state = model.layout.span(rope), model.state
+    places = state.x[:, span.start : span.end + 1]
+    drawn = float(np.linalg.norm(np.diff(places, axis=1), axis=0).sum())
+    own = float(state.rest_length[span.start : span.end].sum())
+    if drawn >= _SHORT * own:
+        return ""
+    return f"as it falls: its shape is {drawn:.4g} m long, and it is {own:.4g} m; draw it as long as it is"
 
 
 class Across(NamedTuple):
