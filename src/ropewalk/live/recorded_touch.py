@@ -14,7 +14,7 @@ from ropewalk.laws.wheel_rows import RECORDED
 from ropewalk.live.losses import driven_work
 from ropewalk.live.touch import NOTHING, Room, Touch, Wraps, room_of, taken_by, touch_of, wound_on
 from ropewalk.lowering import Model
-from ropewalk.record.contacts import lying, model_of, touching
+from ropewalk.record.contacts import lying, model_of, seen_at, touching
 from ropewalk.record.quantities import (
     CONTACT_WORK,
     OBSTACLE_FORCE,
@@ -116,7 +116,8 @@ class RecordedTouch:
         x, v, push = (np.ascontiguousarray(part.T) for part in places)
         wheels = data[PULLEYS][row] if PULLEYS in data else None
         table = self._model.system.node.obstacle
-        contacts = touching(table, x, v, push, there, wheels, t, only)
+        then, span = seen_at(self._model, t)  # as `Result.contacts` has them
+        contacts = touching(table, x, v, push, there, wheels, then, only, span)
         return Wraps(tuple(lying(scene, layout, contacts, data["tension"][row], only)), t)
 
     def works_at(self, data: Mapping[str, Floats], row: int) -> Works:

@@ -12,7 +12,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.laws.contact_books import ENTRIES
 from ropewalk.lowering import Layout
-from ropewalk.record.contacts import Lying, lying, touching
+from ropewalk.record.contacts import Lying, lying, seen_at, touching
 from ropewalk.record.quantities import has_rope
 from ropewalk.scene import Scene
 from ropewalk.simulation import Simulation
@@ -147,7 +147,8 @@ def wraps_now(simulation: Simulation, block: Block) -> Wraps:
     table, only, t = simulation.system.node.obstacle, wound_on(scene), simulation.time
     if not only or not force.any():
         return Wraps((), t)
-    contacts = touching(table, state.x, state.v, force, there, wheels, t, only)
+    then, span = seen_at(simulation.model, t)  # as those of a recorded run
+    contacts = touching(table, state.x, state.v, force, there, wheels, then, only, span)
     return Wraps(tuple(lying(scene, layout, contacts, recording.tension[0], only)), t)
 
 

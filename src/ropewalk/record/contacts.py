@@ -218,14 +218,14 @@ def each_frame(
     for frame in map(int, frames):
         if force[frame].any():
             now = [np.ascontiguousarray(part[frame].T) for part in (x, v, force)]
-            t, span = _seen_at(model, float(result.time[frame]))
+            t, span = seen_at(model, float(result.time[frame]))
             wheels = None if turning is None else turning[frame]
             there = has_rope(result.layout, rest[frame : frame + 1], lengths)[0]
             contacts = touching(table, now[0], now[1], now[2], there, wheels, t, only, span)
             yield frame, contacts if apart else without_ropes(model, now[0], contacts)
 
 
-def _seen_at(model: Model, t: float) -> tuple[float, float]:
+def seen_at(model: Model, t: float) -> tuple[float, float]:
     """Return the time just before which forces at a frame at `t` [s] were taken, for `surface_at`.
 
     And over which time velocities are means there [s], see `touching`. Steps end just before a kink, such as
