@@ -19,6 +19,7 @@ from ropewalk.live.relive import relive
 from ropewalk.live.session import Session
 from ropewalk.live.track import Track
 from ropewalk.scene.presets import preset
+from ropewalk.statics import checked_shape
 
 
 @pytest.fixture
@@ -229,6 +230,37 @@ def test_where_no_rest_is_found_it_is_said_what_to_change(told: Told) -> None:
     send(broadcast, told, "scene", address="scene=suspension-cable&gravity=[0,0,0]", id=1)
     tick_until(broadcast, lambda: told.answer(1))
     assert told.answer(1)["text"].startswith("No rest is found with Gravity (0, 0, 0)")
+
+
+@pytest.mark.parametrize(
+    ("link", "changed"),
+    [("scene=suspension-cable&mass=2000", True), ("scene=suspension-cable", False)],
+)
+def test_a_link_s_rest_is_looked_for_once(
+    link: str, changed: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """That of the scene's own constants was looked for first, and thrown away: it may take ten seconds."""
+    shapes = []
+
+    def counted(model: Any) -> Any:
+        shapes.append(model.scene.run.start)
+        return checked_shape(model)
+
+    monkeypatch.setattr("ropewalk.engine.start.checked_shape", counted)
+    session = r4()
+    do(session, "scene", address=link)
+    assert shapes == ["at-rest"]
+    assert session.loaded.run.start == "at-rest"
+    assert bool(session.changes) == changed
+    again = Session(preset("suspension-cable"), "suspension-cable")
+    if changed:
+        do(again, "set", name="mass", value=2000.0)
+        do(again, "reset")
+    assert session.loaded == again.loaded
+    assert session.changes == again.changes
+    one, other = session.main.simulation, again.main.simulation
+    assert one.scene == other.scene
+    assert one.positions.tobytes() == other.positions.tobytes()
 
 
 def test_a_scene_that_has_no_rest_says_why_in_its_own_words() -> None:

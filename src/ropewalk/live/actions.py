@@ -10,7 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats
 from ropewalk.live import edits, ties
-from ropewalk.live.anew import LEAVE_OUT, Anew
+from ropewalk.live.anew import LEAVE_OUT, Anew, begun_with
 from ropewalk.live.bodies import lead
 from ropewalk.live.carry import can_part
 from ropewalk.live.changes import label_of
@@ -258,7 +258,7 @@ def opened(
 ) -> Session:
     """Return a session of the scene that a command asks for, at time zero. Raises SceneError."""
     made, preset, settings = scene_of(command, start, read)
-    session = kind(made, preset)
+    session = begun_with(kind, made, preset) if settings else kind(made, preset)
     for name, rope, value in settings:
         session.set(name, value, rope, None)
     if settings:

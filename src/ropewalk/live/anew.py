@@ -82,6 +82,23 @@ class Anew:
         return made
 
 
+def begun_with(kind: type[Session], scene: Scene, preset: str | None) -> Session:
+    """Return a session of a scene whose constants are changed next, and which begins anew with them.
+
+    Rest is not looked for: it is that of the changed scene that is wanted. Raises SceneError.
+    """
+    if scene.run.start != AT_REST:
+        return kind(scene, preset)
+    drawn = scene.replace(run=scene.run.replace(start="shape", ring=None))
+    try:
+        session = kind(drawn, preset)
+    except SceneError:  # drawn so that nothing but its rest can run
+        return kind(scene, preset)
+    run = session.loaded.run.replace(start=scene.run.start, ring=scene.run.ring)
+    session.start, session.loaded = (scene, preset), session.loaded.replace(run=run)
+    return session
+
+
 def _told(changes: Mapping[Key, Any], own: Mapping[str, Any]) -> str:
     """Return changed constants in words."""
     whole = {name: value for (name, rope), value in changes.items() if rope is None}
