@@ -10,6 +10,7 @@ import math
 import numpy as np
 import pytest
 
+import ropewalk as rw
 from ropewalk.statics import static_shape
 from verification.test_rest_on_obstacles import drum, table, weighted
 
@@ -44,3 +45,46 @@ def test_the_share_of_friction_is_that_which_would_do(hangs: float) -> None:
     (wrap,) = static_shape(table(hangs)).wraps
     assert min(wrap.before, wrap.after) == 0.0
     assert wrap.share == pytest.approx(needed(hangs, 0.05) / 0.3, rel=0.03)
+
+
+def groove(tilt: float, friction: tuple[float, float], **more: object) -> rw.Scene:
+    """A rope that lies along a groove, its sides at 30 degrees to its middle, on a slope [rad]."""
+    half = math.radians(30.0)
+    rope = rw.Rope(
+        segments=10,
+        length=0.5,
+        diameter=0.01,
+        made_of=rw.Material(EA=1e4, mass_per_length=0.1, axial_damping=5.0),
+        shape={"kind": "straight", "start": (0, 0, 0.01), "end": (0.5, 0, 0.01)},
+    )
+    normals = [(0, side * math.cos(half), math.sin(half)) for side in (1, -1)]
+    sides = [rw.Plane(normal=one, friction=mu) for one, mu in zip(normals, friction, strict=True)]
+    down = (9.81 * math.sin(tilt), 0, -9.81 * math.cos(tilt))
+    return rw.Scene(gravity=down, ropes=[rope], obstacles=sides, **more)
+
+
+@pytest.mark.parametrize("friction", [(0.3, 0.3), (0.1, 0.5)])
+@pytest.mark.parametrize("short", [15.0, 5.0, 0.3])
+def test_what_wedges_a_rope_in_a_groove_is_not_what_holds_it_along(
+    friction: tuple[float, float], short: float
+) -> None:
+    """It slides from tan(slope) = mu / sin(30 degrees) on; 100 % was told from 5 degrees below that on."""
+    slides = sum(friction)
+    tilt = math.atan(slides) - math.radians(short)
+    found = static_shape(groove(tilt, friction)).wraps
+    assert [wrap.beside for wrap in found] == [("obstacle1",), ("obstacle0",)]
+    for wrap in found:
+        assert wrap.taken == pytest.approx(math.tan(tilt) / slides, rel=1e-3)
+        assert "along 'obstacle" in wrap.words
+
+
+def test_a_groove_holds_a_rope_by_the_friction_of_both_sides() -> None:
+    """One that hangs down in it from an anchor; nothing was told of what friction holds."""
+    tilt, weight = math.radians(46.0), 0.475 * 0.1 * 9.81  # half of the first segment is the anchor's
+    scene = groove(tilt, (0.1, 0.5), anchors=[rw.Anchor(node=0)])
+    for wrap in static_shape(scene).wraps:
+        least, most = (
+            weight * (math.sin(tilt) + sign * 0.6 * math.cos(tilt)) for sign in (-1.0, 1.0)
+        )
+        assert (wrap.least, wrap.most) == pytest.approx((least, most), rel=1e-3)
+        assert "friction with that of 'obstacle" in wrap.words

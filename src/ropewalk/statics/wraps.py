@@ -16,6 +16,7 @@ from ropewalk.laws.polygon import tilted
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.coarse_turns import FINE, CoarseTurn, coarse_turn
 from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, stretches
+from ropewalk.statics.grooves import as_of_one, beside
 from ropewalk.statics.standing import standing_obstacles
 from ropewalk.words.prefixes import prefixed
 
@@ -48,7 +49,9 @@ class Wrap:
     least: float
     most: float
     backward: bool  # whether they are of the tension before
-    use: float  # largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction
+    # Largest |R_t| / (mu R_n) of its contacts [1]; 1: at the limit; 0 without friction. Nodes on several
+    # bodies count as on one, see `grooves`, here and in all that is told of friction.
+    use: float
     friction: float  # coefficient of both [1]
     taken: float = (
         0.0  # sum of |R_t| over that of mu R_n [1]: the ends of what lies may slip by themselves
@@ -57,6 +60,7 @@ class Wrap:
     # ln(ratio) / ln(ratio at slip), as pages tell of runs; of a tail that lies, its pull over the most.
     share: float = math.nan
     coarse: CoarseTurn = FINE  # how far the ratio of tensions errs
+    beside: tuple[str, ...] = ()  # other obstacles on which some of its nodes lie
 
     @property
     def nodes(self) -> int:
@@ -87,17 +91,25 @@ class Wrap:
             return said + self._taken
         end = "before" if self.backward else "after"
         most = "any tension" if math.isinf(self.most) else prefixed(self.most, "N", 4)
-        return f"{said}; friction holds {prefixed(self.least, 'N', 4)} to {most} {end}"
+        also = f" with that of {self._others}" if self.beside else ""
+        return f"{said}; friction{also} holds {prefixed(self.least, 'N', 4)} to {most} {end}"
+
+    @property
+    def _others(self) -> str:
+        """The other obstacles on which it lies, in words."""
+        return " and ".join(map(repr, self.beside))
 
     @property
     def _taken(self) -> str:
         """How much of what friction can carry it carries, in words; "" where that is nothing."""
         if 100.0 * self.use < _NOTHING:
             return ""
-        one = f"{100.0 * self.use:.3g} %"
+        one, said = f"{100.0 * self.use:.3g} %", "; "
+        if self.beside:  # not what wedges it across, which does not hold it along
+            said += f"along {self.obstacle!r} and {self._others} "
         if self.nodes == 1:
-            return f"; its contact takes {one} of what friction can carry"
-        said = f"; its contacts take {100.0 * self.taken:.3g} % of what friction can carry together"
+            return f"{said}its contact takes {one} of what friction can carry"
+        said += f"its contacts take {100.0 * self.taken:.3g} % of what friction can carry together"
         return f"{said}, single ones up to {one}"
 
     def __str__(self) -> str:
@@ -194,13 +206,14 @@ def wraps(
         return (), contacts_at(table, x, np.zeros_like(x), np.zeros_like(x), state.stiffness)
     table = standing_obstacles(table, state.memory.obstacle)
     contacts = contacts_at(table, x, np.zeros_like(x), force, state.stiffness)
-    found = []
+    of_one, found = as_of_one(contacts, force), []
     for rope in model.layout.ropes:
         for o in range(len(table.kind)):
             own = (contacts.node >= rope.start) & (contacts.node <= rope.end)
             runs = stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
             found += [
-                _wrap(model, table, x, tension, others, contacts, rope, rows) for rows in runs
+                _wrap(model, table, x, tension, others, contacts, of_one, rope, rows)
+                for rows in runs
             ]
     return tuple(sorted(found, key=lambda wrap: (wrap.rope, wrap.first))), contacts
 
@@ -212,6 +225,7 @@ def _wrap(
     tension: Floats,
     others: Floats,
     contacts: Contacts,
+    of_one: Contacts,
     rope: Span,
     rows: Ints,
 ) -> Wrap:
@@ -221,12 +235,12 @@ def _wrap(
     held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 1))
     least, most, back, share = math.nan, math.nan, False, math.nan
     if not held.any():
-        least, most, back = _allowed(x, tension, others, contacts, rows, rope)
+        least, most, back = _allowed(x, tension, others, of_one, rows, rope)
     pull = before if back else after
     if not (1.0 - _ROUNDING) * least <= pull <= (1.0 + _ROUNDING) * most:
         least = most = math.nan  # not by this contact alone: another body, or a press
     else:
-        share = _share(pull, lambda s: _allowed(x, tension, others, contacts.using(s), rows, rope))
+        share = _share(pull, lambda s: _allowed(x, tension, others, of_one.using(s), rows, rope))
     body, made = (
         model.scene.obstacles[int(contacts.obstacle[rows[0]])],
         model.scene.rope_named(rope.name),
@@ -244,11 +258,12 @@ def _wrap(
         least=least,
         most=most,
         backward=back,
-        use=float(contacts.use[rows].max()),
+        use=float(of_one.use[rows].max()),
         friction=friction,
-        taken=_taken(contacts, rows),
+        taken=_taken(of_one, rows),
         share=share,
         coarse=coarse_turn(table, contacts, rows, x, friction, made.segment_length),
+        beside=tuple(model.scene.obstacles[o].name for o in beside(contacts, rows)),
     )
 
 
