@@ -7,7 +7,8 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.scene import Anchor, Load, Material, Plane, Rope, Scene, Slack, Straight, Winch
-from ropewalk.sweeps.keep import DERIVED, parse
+from ropewalk.sweeps.derived import DERIVED
+from ropewalk.sweeps.keep import parse
 from sweeps.scenes import swing
 
 CORD = Material(EA=2e4, mass_per_length=0.2, axial_damping=20.0)

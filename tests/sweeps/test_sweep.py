@@ -14,7 +14,7 @@ import xarray as xr
 
 import ropewalk as rw
 from ropewalk.record.errors import InputError, RunError
-from ropewalk.sweeps.keep import DERIVED
+from ropewalk.sweeps.derived import DERIVED
 from sweeps.scenes import DOWN, EA, STIFF, alone, rigid, same, store_bytes, swing
 
 

@@ -13,7 +13,7 @@ import ropewalk as rw
 from ropewalk.record.result import Result
 from ropewalk.record.resume import resume_run
 from ropewalk.record.run import Recorder, record_run
-from ropewalk.sweeps.keep import DERIVED
+from ropewalk.sweeps.derived import DERIVED
 from verification.test_parting import pulled, string
 
 SEGMENTS = 8

@@ -23,6 +23,7 @@ from ropewalk.plots.style import (
     wrap,
 )
 from ropewalk.plots.sweep_notes import notes_of_runs
+from ropewalk.sweeps.derived import BY_LABEL
 from ropewalk.sweeps.designs import plain_rows
 
 if TYPE_CHECKING:
@@ -78,7 +79,7 @@ def drawable(data: xr.Dataset) -> list[str]:
     for name in map(str, data.data_vars):
         along = set(_own_dims(data, name))
         kept = "keep" in data[name].attrs
-        if kept and along <= {"time", "frame", "anchor", "rope", "form"}:
+        if kept and along <= {"time", "frame", "form", *BY_LABEL}:
             found.append(name)
     return found
 
@@ -96,7 +97,7 @@ def _own_dims(data: xr.Dataset, name: str) -> list[str]:
 def _parts(data: xr.Dataset, name: str) -> list[tuple[str, xr.DataArray]]:
     """Return a variable anchor by anchor (or rope by rope), each with its label."""
     array = data[name]
-    split = [dim for dim in _own_dims(data, name) if dim in ("anchor", "rope", "form")]
+    split = [dim for dim in _own_dims(data, name) if dim in ("form", *BY_LABEL)]
     if not split:
         return [("", array)]
     (dim,) = split

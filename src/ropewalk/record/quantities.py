@@ -38,6 +38,7 @@ class Quantity:
     swapped: bool = False  # kept in memory and on disk as (time, axis, node)
 
 
+_A_NODE = "one node (it goes with the length of the segments)"
 _SINCE = "of all steps since the frame before"
 EXTREME_UNITS = ("N", "N", "1", "m/s", "m", "m", "N", "N m")
 _OF_INTERVALS = tuple(
@@ -79,7 +80,7 @@ QUANTITIES = (
         "contact_force",
         ("time", "node", "axis"),
         "N",
-        "force of obstacles and of other ropes on the rope",
+        f"force of obstacles and of other ropes on {_A_NODE}",
         "contact",
         True,
     ),
@@ -87,7 +88,7 @@ QUANTITIES = (
         OBSTACLE_FORCE,
         ("time", "node", "axis"),
         "N",
-        "force of obstacles alone on the rope",
+        f"force of obstacles alone on {_A_NODE}",
         "obstacles",
         True,
     ),

@@ -53,6 +53,7 @@ KEPT_BY = (
     "record/too_low.py",
     "record/turnover.py",
     "sweeps/batch.py",
+    "sweeps/derived.py",
     "sweeps/keep.py",
     "sweeps/workshop.py",
 )

@@ -21,12 +21,12 @@ from numpy.typing import NDArray
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering.layout import Span
 from ropewalk.record.books import told
-from ropewalk.record.extremes import had_rope, shares
-from ropewalk.record.parted import count_parted
-from ropewalk.record.quantities import BY_NAME, labels
+from ropewalk.record.extremes import had_rope
+from ropewalk.record.quantities import BY_NAME
 from ropewalk.record.result import Result
 from ropewalk.scene import SceneError
 from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.sweeps.derived import DERIVED, names_along
 from ropewalk.words.nearest import nearest
 
 DEFAULT = ("tension.max", "reactions.max", "positions[-1]")
@@ -57,94 +57,6 @@ _OF_STEPS = {
     ("reactions", "max"): "greatest_reactions",
     ("moments", "max"): "greatest_moments",
     ("energy_error", "max"): "energy_errors",
-}
-
-
-@dataclass(frozen=True)
-class Derived:
-    """A quantity made from recorded ones: (time, ...) with dimensions, unit and a name in words."""
-
-    dims: tuple[str, ...]
-    unit: str
-    long_name: str
-    of: Callable[[Result], Floats]
-    of_steps: Callable[[Result, Floats], Floats] = lambda _, array: array  # of what steps reached
-
-
-def _safety(result: Result, tension: Floats) -> Floats:
-    """Return breaking loads over tensions, (frames, segments) [1]; inf where nothing pulls."""
-    use = shares(result, tension)
-    found = np.where(np.isnan(use), np.nan, np.inf)
-    np.divide(1.0, use, out=found, where=use > 0.0)
-    return found
-
-
-def _stretch(result: Result) -> Floats:
-    length = np.linalg.norm(np.diff(result.positions, axis=1), axis=2)
-    found: Floats = np.full_like(length, np.nan)
-    np.divide(length, result.rest_length, out=found, where=result.live)
-    return found
-
-
-def _sag(result: Result) -> Floats:
-    """Largest drop of each rope below the straight line between its ends, along gravity.
-
-    What lies beyond an end, seen from above, is measured from that end: a line that is nearly upright
-    would come from far above.
-    """
-    up = np.asarray(result.scene.up)
-    found = np.zeros((result.frames, len(result.layout.ropes)))
-    for column, span in enumerate(result.layout.ropes):
-        points = result.positions[:, span.first : span.last + 1]  # with what winches pay out
-        from_first = points - points[:, :1]
-        heights = from_first @ up
-        level = from_first - heights[..., None] * up
-        end = level[:, -1]
-        across2 = (end**2).sum(axis=1)
-        rise = heights[:, -1]
-        upright = across2 <= 1e-18 * (from_first[:, -1] ** 2).sum(axis=1)
-        share = np.einsum("fni,fi->fn", level, end) / np.where(upright, 1.0, across2)[:, None]
-        share = np.clip(share, 0.0, 1.0)
-        chord = np.where(upright[:, None], np.minimum(rise, 0.0)[:, None], share * rise[:, None])
-        found[:, column] = np.maximum((chord - heights).max(axis=1), 0.0)
-    return found
-
-
-def _parted(result: Result) -> Floats:
-    return count_parted(result.partings, result.time, result.plan.method).astype(np.float64)
-
-
-DERIVED: dict[str, Derived] = {
-    "speed": Derived(
-        ("time", "node"), "m/s", "speed", lambda r: np.linalg.norm(r.velocities, axis=2)
-    ),
-    "height": Derived(
-        ("time", "node"), "m", "height along up", lambda r: r.positions @ np.asarray(r.scene.up)
-    ),
-    "stretch": Derived(("time", "segment"), "1", "length over unstretched length", _stretch),
-    "utilisation": Derived(
-        ("time", "segment"),
-        "1",
-        "tension over breaking load",
-        lambda r: shares(r, r.tension),
-        shares,
-    ),
-    "safety_factor": Derived(
-        ("time", "segment"),
-        "1",
-        "breaking load over tension",
-        lambda r: _safety(r, r.tension),
-        _safety,
-    ),
-    "sag": Derived(("time", "rope"), "m", "drop below the line between the rope's ends", _sag),
-    "total_energy": Derived(("time",), "J", "total energy", lambda r: r.energy["total"]),
-    "energy_error": Derived(
-        ("time",),
-        "J",
-        "size of the energy that no law accounts for",
-        lambda r: np.abs(r.energy_error),
-    ),
-    "segments_parted": Derived(("time",), "1", "segments that have parted so far", _parted),
 }
 
 
@@ -247,7 +159,7 @@ class Kept:
         assert self.picks is not None
         where: list[Any] = []
         all_dims = dims
-        names = labels(result.layout) | {"rope": tuple(s.name for s in result.layout.ropes)}
+        names = names_along(result.layout, result.scene)
         for pick, dim, size in zip(self.picks, all_dims, array.shape, strict=False):
             if pick is None:
                 where.append(slice(None))

@@ -18,7 +18,7 @@ from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.scene.overrides import Places
 from ropewalk.scene.toml_text import as_value
 from ropewalk.scene.units import WrongUnit, in_unit
-from ropewalk.sweeps.keep import DERIVED
+from ropewalk.sweeps.derived import DERIVED
 
 _PATH = re.compile(r"\w+(\[\w+\])?(\.\w+(\[\w+\])?)+|\w+\[\w+\]")
 FLOAT, INT, TEXT = "float", "int", "text"
@@ -37,7 +37,7 @@ RESERVED = {
         "axis",
         "anchor",
     ),
-    *("form", "law", "cause", "rope", "parameter", "quantile"),
+    *("form", "law", "cause", "rope", "obstacle", "pulley", "wrap", "parameter", "quantile"),
     *("method", "tolerance", "drop"),  # words of xarray's `sel`
     *BY_NAME,  # what can be kept has these names
     *DERIVED,

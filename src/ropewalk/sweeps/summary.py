@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ropewalk.record.note_kinds import KINDS, kinds_in
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
+from ropewalk.sweeps.derived import BY_LABEL
 from ropewalk.sweeps.designs import GIVEN, GRID, plain_rows
 from ropewalk.sweeps.sweep_folder import SweepFolder
 from ropewalk.sweeps.sweep_plan import SweepPlan
@@ -88,7 +89,7 @@ def _kept(sweep: SweepFolder, ranges: bool) -> list[dict[str, Any]]:
             found.append(about)
         elif not variable.dims:
             found.append(about | _quantiles(data[variable.name].values, plain, whole))
-        elif variable.dims in (("anchor",), ("rope",)):
+        elif len(variable.dims) == 1 and variable.dims[0] in BY_LABEL:
             (dim,) = variable.dims
             for place, label in enumerate(sweep.plan.coordinates[dim]["values"]):
                 part = data[variable.name].isel({dim: place})

@@ -15,7 +15,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.lowering import Model
 from ropewalk.record.facts import Facts
-from ropewalk.record.quantities import labels, recorded
+from ropewalk.record.quantities import recorded
 from ropewalk.record.rest import rest_result
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
@@ -24,6 +24,7 @@ from ropewalk.scene.faults import NO_VALUE, Fault, show
 from ropewalk.simulation import Simulation
 from ropewalk.statics import NoRest
 from ropewalk.sweeps.batch import REST
+from ropewalk.sweeps.derived import names_along
 from ropewalk.sweeps.designs import GIVEN, Design
 from ropewalk.sweeps.keep import Kept
 from ropewalk.sweeps.parameters import TEXT, Parameter, spread_in_words
@@ -300,7 +301,7 @@ def _times(model: Model) -> Floats:
 
 
 def _labels(model: Model) -> dict[str, dict[str, Any]]:
-    names = labels(model.layout) | {"rope": tuple(span.name for span in model.layout.ropes)}
+    names = names_along(model.layout, model.scene)
     return {
         dim: {"values": list(values), "attributes": {"long_name": dim}}
         for dim, values in names.items()

@@ -22,6 +22,7 @@ from ropewalk.scene import Scene, SceneError, loads
 from ropewalk.scene.faults import NO_VALUE, Fault
 from ropewalk.sweeps.answer import stored
 from ropewalk.sweeps.batch import GOOD
+from ropewalk.sweeps.derived import BY_LABEL
 from ropewalk.sweeps.designs import DESIGNS, MOST_RUNS, SALTELLI, Design, plain_rows
 from ropewalk.sweeps.keep import over
 from ropewalk.sweeps.many import make_runs, sweep
@@ -239,7 +240,7 @@ def scalars(data: xr.Dataset) -> list[tuple[str, xr.DataArray]]:
         own = [dim for dim in array.dims if dim not in ("run", "quantile")]
         if not own:
             found.append((str(name), array))
-        elif len(own) == 1 and own[0] in ("anchor", "rope"):
+        elif len(own) == 1 and own[0] in BY_LABEL:
             (dim,) = own
             labels = array[dim].values.tolist()
             found += [(f"{name}[{label}]", array.sel({dim: label})) for label in labels]
