@@ -117,6 +117,40 @@ def test_an_end_that_grazes_the_side_is_no_part_of_a_wrap() -> None:
     assert 1.0 * g < wrap.after[0] == table["tension after [N]"].iloc[0]
 
 
+def test_a_rope_that_comes_back_to_a_bar_has_no_ratio_there() -> None:
+    """Of a tackle, whose friction on the other bar was in it: ln(ratio) over the angle was 0.145 for 0.1."""
+    radius, mu, count = 0.055, 0.1, 16
+    turns = [(math.pi, 0.0, 0.0), (0.0, -math.pi, -0.3), (math.pi, 0.0, 0.0)]
+    points = [(-radius, 0.0, -0.02 * i) for i in range(20, 0, -1)]
+    for first, last, height in turns:
+        points += [
+            (radius * math.cos(a), 0.0, height + radius * math.sin(a))
+            for a in np.linspace(first, last, count + 1)
+        ]
+    points += [(radius, 0.0, -0.02 * i) for i in range(1, 21)]
+    length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    heavy = math.exp(0.95 * mu * 3.0 * math.pi)
+    rope = rw.Rope(
+        segments=len(points) - 1,
+        length=length,
+        diameter=0.01,
+        made_of=rw.Material(EA=1e5, mass_per_length=0.001, axial_damping=20.0),
+        shape=Points(points=points),
+        loads=[rw.Load(node=0, mass=1.0), rw.Load(node=-1, mass=heavy)],
+    )
+    bars = [
+        Cylinder(name=name, start=(0, -1, z), end=(0, 1, z), radius=0.05, friction=mu)
+        for name, z in (("A", 0.0), ("B", -0.3))
+    ]
+    result = rw.equilibrium(Scene(ropes=[rope], obstacles=bars))
+    twice, once = result.wrap("A"), result.wrap("B")
+    assert (twice.parts[0], once.parts[0]) == (2, 1)
+    assert twice.angle[0] == pytest.approx(2.0 * math.pi, rel=1e-3)
+    assert twice.after[0] / twice.before[0] == pytest.approx(heavy, rel=0.01)
+    assert math.isnan(twice.ratio[0])
+    assert 1.0 < once.ratio[0] <= math.exp(1.01 * mu * math.pi)
+
+
 @pytest.mark.parametrize("every", [2, 3])
 def test_a_wrap_is_whole_whichever_of_its_nodes_are_asked_for(every: int) -> None:
     """Of every second node a bollard's had half its angle, and of every third it was in pieces."""

@@ -80,7 +80,10 @@ def test_what_wedges_a_rope_in_a_groove_is_not_what_holds_it_along(
 
 def test_a_groove_holds_a_rope_by_the_friction_of_both_sides() -> None:
     """One that hangs down in it from an anchor; nothing was told of what friction holds."""
-    tilt, weight = math.radians(46.0), 0.475 * 0.1 * 9.81  # half of the first segment is the anchor's
+    tilt, weight = (
+        math.radians(46.0),
+        0.475 * 0.1 * 9.81,
+    )  # half of the first segment is the anchor's
     scene = groove(tilt, (0.1, 0.5), anchors=[rw.Anchor(node=0)])
     for wrap in static_shape(scene).wraps:
         least, most = (

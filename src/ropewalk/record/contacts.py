@@ -38,9 +38,10 @@ class WrapHistory(NamedTuple):
     """What a rope does on an obstacle in the course of a run, one row a frame.
 
     A rope may leave it and come back: the angle is that of all stretches on it, what the rope turns by
-    between them left out, and the tensions are those before the first and after the last of them. The table
-    ``wraps`` has each stretch on its own. After the rope broke angle and tensions are NaN. What a winch pays
-    out has numbers below 0, or beyond the last.
+    between them left out, and the tensions are those before the first and after the last of them. What acts
+    on the rope between two stretches, as the other block of a tackle, is in those tensions and not in the
+    angle, so that of several stretches there is no ratio: the table ``wraps`` has each on its own. After the
+    rope broke angle and tensions are NaN. What a winch pays out has numbers below 0, or beyond the last.
     """
 
     time: Floats  # (frames,) [s]
@@ -48,6 +49,7 @@ class WrapHistory(NamedTuple):
     angle: Floats  # (frames,) by which the rope turns there towards the obstacle [rad]
     before: Floats  # (frames,) tension of the segment before the first of them [N]
     after: Floats  # (frames,) ... after the last one [N]
+    parts: Ints  # (frames,) how many stretches there are
 
     @property
     def touches(self) -> NDArray[np.bool_]:
@@ -56,9 +58,10 @@ class WrapHistory(NamedTuple):
 
     @property
     def ratio(self) -> Floats:
-        """The tension after over that before [1]; NaN where there is none."""
+        """The tension after over that before [1]; NaN where there is none, and of several stretches."""
         found: Floats = np.full(self.time.shape, np.nan)
-        np.divide(self.after, self.before, out=found, where=self.before > 0.0)
+        one = (self.before > 0.0) & (self.parts == 1)
+        np.divide(self.after, self.before, out=found, where=one)
         return found
 
 
@@ -122,6 +125,7 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
     count = result.frames
     nodes = np.tile(np.array([0, -1], np.int64), (count, 1))
     angle, before, after = np.zeros((3, count))
+    several = np.zeros(count, np.int64)
     tension = result.tension
     for frame, contacts in each_frame(result, range(count), [o]):
         own = (contacts.node >= span.first) & (contacts.node <= span.last)
@@ -130,10 +134,11 @@ def wrap_history(result: Result, rope: str | None, obstacle: str) -> WrapHistory
             continue
         lies = _lies(span, contacts, touching, tension[frame])
         nodes[frame], (angle[frame], before[frame], after[frame]) = lies[:2], lies[2:]
+        several[frame] = len(stretches(contacts, touching))
     broken = _broken_from(result, span)
-    nodes[broken:] = 0, -1
+    nodes[broken:], several[broken:] = (0, -1), 0
     angle[broken:] = before[broken:] = after[broken:] = np.nan
-    return WrapHistory(np.asarray(result.time), nodes, angle, before, after)
+    return WrapHistory(np.asarray(result.time), nodes, angle, before, after, several)
 
 
 def _that_turn(contacts: Contacts, rows: Ints) -> Ints:

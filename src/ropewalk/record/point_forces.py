@@ -164,6 +164,9 @@ class PointForces:
     def wrap(self, obstacle: str, rope: str | None = None) -> WrapHistory:
         """How a rope lies on an obstacle at each frame: nodes, angle [rad], tensions before and after [N].
 
+        Of a rope that comes back to it, as in a tackle, the angle is that of all stretches there, and the
+        ratio NaN: the table "wraps" has them one by one.
+
         Raises KeyError for an unknown name, or for no rope's name with several ropes.
         """
         from ropewalk.record.contacts import wrap_history
