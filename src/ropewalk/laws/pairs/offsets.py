@@ -42,6 +42,7 @@ FOLLOWS = 0.03  # [s]
 OVER = 2.0  # [1]
 QUICKEST = 0.03  # [1/s] of the radii's sum
 STILL = 0.2  # [1/s] of the same: so fast what counts as still moves, at most
+KEEPS = 1e-3  # [1/s] of the same: so fast what comes to rest moves at most
 SHALLOW, ENOUGH = 0.0025, 0.005  # [1] depths over the same
 LOADED = 0.01  # [1] the same of what is as stiff as contacts are beyond their skin
 
@@ -66,6 +67,19 @@ def lies_still(memory, i, j, most):
             if square > most * most:
                 return False
     return True
+
+
+@small
+def misses(x, dt, memory, row, size, distance):
+    """Tell whether a contact of what lies still is open by its plane alone, and its segments overlap.
+
+    Nothing would press them apart. What carries nothing cannot slip: it may have its points anew.
+    """
+    i, j, grip = memory.pair[row, 0], memory.pair[row, 1], memory.grip
+    if grip[row, PUSH] > 0.0 or distance >= (1.0 - ENOUGH) * size or memory.tally[SETTLES] != 0:
+        return False
+    opened = depth_at(x, memory, row, i, j, size) <= 0.0
+    return opened and lies_still(memory, i, j, KEEPS * size * dt)
 
 
 @kernel

@@ -24,7 +24,7 @@ from ropewalk.laws.pairs.distance import (
 )
 from ropewalk.laws.pairs.easing import convex, ease, slow
 from ropewalk.laws.pairs.force import depth_at, pressed, pull_of, squeeze
-from ropewalk.laws.pairs.offsets import lead_offsets, lies_still
+from ropewalk.laws.pairs.offsets import KEEPS, lead_offsets, lies_still, misses
 from ropewalk.laws.pairs.pair_hits import swings
 from ropewalk.laws.pairs.search import find_near, freeze, new_row, normal_at, owns, row_of
 from ropewalk.laws.pairs.swept import sweep
@@ -65,7 +65,6 @@ from ropewalk.laws.pairs.table import (
 from ropewalk.laws.pairs.way import HALF, begin_contact, fits
 
 TURNED = 5e-5  # [1] less than the cosine of a hundredth: so little no plane is led
-KEEPS = 1e-3  # [1/s] of the radii's sum: so fast what comes to rest moves at most
 RESTS = 1e-8  # [1/s] of the same: rounding
 JUST_OVER = 1.0 + 1e-6  # [1] of what a contact may hide, for what was found anew with all of that
 EVEN = 1e-3  # [1] weight of the speeds along segments, over that of what they do not explain
@@ -245,7 +244,7 @@ def refresh(x, v, dt, y, table, memory, row, tied):
         grip[row, GONE] = 1.0
         return
     anew = throws_back(table) and not grip[row, PUSH] > 0.0  # to 3 % would be too little
-    anew = anew or swings(table, memory, row)
+    anew = anew or swings(table, memory, row) or misses(x, dt, memory, row, size, distance)
     friction = friction_of(table, i, j)
     if not anew and slips(memory, row, friction) and lead(x, v, dt, y, table, memory, row, tied):
         return
