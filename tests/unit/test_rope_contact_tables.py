@@ -191,6 +191,21 @@ def test_the_map_of_sticking_shows_what_the_table_says(at_rest: rw.Result) -> No
     assert "sticks" in figure._supxlabel.get_text()
 
 
+def test_no_ratio_at_slip_is_told_of_a_wrap_on_which_ropes_lie() -> None:
+    """In a Munter hitch the rope is pressed on itself: 1.96 was told where 3.24 was held."""
+    result = rw.simulate(apply_overrides(rw.preset("munter"), ["run.duration=0.4"]))
+    table = result.to_pandas("wraps")
+    pressed = table["normal force of ropes [N]"] > 0.01 * table["normal force [N]"]
+    assert pressed.any()
+    assert table["ratio at slip [1]"].isna().equals(pressed)
+    assert table["ratio [1]"][pressed].max() > 1.0
+    contacts = result.to_pandas("rope_contacts")
+    time = table["time [s]"].iloc[-1]
+    whole = contacts[contacts["time [s]"] == time]["normal force [N]"].sum()
+    both = table[table["time [s]"] == time]["normal force of ropes [N]"].sum()
+    assert 0.0 < both <= 2.0 * whole * (1.0 + 1e-9)  # on each of the two that press
+
+
 def test_wraps_are_told_in_time() -> None:
     """Angle and tensions as `wrap` has them; with the coefficient the ratio at which it slips."""
     scene = apply_overrides(rw.preset("capstan"), ["run.duration=0.2"])

@@ -297,11 +297,6 @@ COLUMNS = (
     *("friction used [1]", "slip speed [m/s]", "friction power [W]", "mode"),
     *("x [m]", "y [m]", "z [m]", "fx [N]", "fy [N]", "fz [N]"),  # of the node; on it
 )
-WRAP_COLUMNS = (
-    *("time [s]", "rope", "obstacle", "first node", "last node", "angle [rad]"),
-    *("tension before [N]", "tension after [N]", "ratio [1]", "ratio at slip [1]"),
-    *("normal force [N]", "friction power [W]"),
-)
 
 
 def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.generic]]:
@@ -328,34 +323,3 @@ def rows(result: Result, frames: Iterable[int], nodes: Ints) -> list[NDArray[np.
             column.append(part[keep])
     empty = np.zeros(0)
     return [np.concatenate(column) if column else empty for column in found]
-
-
-def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArray[np.generic]]:
-    """Return the columns: a row for every stretch of a rope on an obstacle at a frame.
-
-    Each is whole, and there where one of its nodes is `wanted`.
-    The angle is that towards the obstacle: what turns within a floor, or lies in a trough, is not held by it.
-    The ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
-    `Contacts.at_slip`, of a rope without weight: exp(mu angle) where it turns towards the surface alone.
-    """
-    found: list[tuple[object, ...]] = []
-    tension = result.tension
-    for frame, contacts in each_frame(result, frames):
-        power = (contacts.rub * contacts.slip).sum(axis=1)
-        for wrap in lying(result.scene, result.layout, contacts, tension[frame]):
-            if not np.isin(contacts.node[wrap.rows], wanted).any():
-                continue
-            found.append(
-                (
-                    *(result.time[frame], result.layout.ropes[wrap.rope].name),
-                    *(result.scene.obstacles[wrap.obstacle].name, wrap.first, wrap.last),
-                    *(wrap.angle, wrap.before, wrap.after, wrap.ratio, wrap.at_slip),
-                    *(contacts.push[wrap.rows].sum(), power[wrap.rows].sum()),
-                )
-            )
-    columns = list(zip(*found, strict=True)) or [()] * len(WRAP_COLUMNS)
-    words = ("rope", "obstacle")
-    return [
-        np.array(column, dtype=object if header in words else None)
-        for header, column in zip(WRAP_COLUMNS, columns, strict=True)
-    ]

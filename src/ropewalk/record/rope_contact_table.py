@@ -104,3 +104,19 @@ def modes_on_ropes(result: Result, frames: Sequence[int]) -> NDArray[np.int8]:
             np.maximum.at(found[row], side, modes)
             np.maximum.at(found[row], side + 1, modes)
     return found
+
+
+def pressed_by_ropes(result: Result, frame: int) -> Floats:
+    """Return the sum of the normal forces of ropes on every node at a frame, (nodes,) [N].
+
+    That of a contact goes to both nodes of each of its segments, as it lies between them.
+    """
+    found = np.zeros(result.layout.nodes)
+    if NAME not in result.source.names:
+        return found
+    kept = result.read(NAME, frame, frame + 1)[0]
+    kept = kept[np.isfinite(kept[:, 0])]
+    for segments, at in zip(kept[:, :2].astype(np.int64).T, kept[:, 2:4].T, strict=True):
+        np.add.at(found, segments, (1.0 - at) * kept[:, 4])
+        np.add.at(found, segments + 1, at * kept[:, 4])
+    return found

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ropewalk.core.peaks import BOUNDS, EXTREMES
 from ropewalk.laws.wheel_rows import RECORDED, UNITS
-from ropewalk.record.contacts import COLUMNS, WRAP_COLUMNS, rows, wrap_rows
+from ropewalk.record.contacts import COLUMNS, rows
 from ropewalk.record.errors import InputError, RunError
 from ropewalk.record.moving_rows import SLIDE_COLUMNS, slide_rows
 from ropewalk.record.quantities import (
@@ -29,6 +29,7 @@ from ropewalk.record.rope_contact_table import HEADERS as ROPE_COLUMNS
 from ropewalk.record.rope_contact_table import rope_rows
 from ropewalk.record.selection import EXPORTED, Indices, Selection, select, take
 from ropewalk.record.skipped import is_of_steps
+from ropewalk.record.wrap_table import WRAP_COLUMNS, wrap_rows
 from ropewalk.words.nearest import nearest
 
 if TYPE_CHECKING:
