@@ -15,7 +15,10 @@ import pytest
 
 import ropewalk as rw
 from ropewalk.record.export import export
+from ropewalk.record.folder import change_provenance
 from ropewalk.record.result import Result
+from ropewalk.record.stood import STAND
+from ropewalk.record.summary import summary
 from ropewalk.scene import (
     Box,
     Cylinder,
@@ -131,6 +134,20 @@ def test_what_was_saved_has_the_same_contacts(name: str, tmp_path: Path) -> None
     check_balance(again)
     for table in ("contacts", "wraps"):
         assert again.to_pandas(table).equals(result.to_pandas(table))
+
+
+@pytest.mark.parametrize("name", ["down", "spins", "free", ""])
+def test_what_an_older_version_saved_is_told_of(name: str, tmp_path: Path) -> None:
+    """It had no mark, and forces of bodies that move; of one that stands they are right."""
+    result = rw.equilibrium(over(drum(**BODIES.get(name, {}))))
+    result.save(tmp_path / "rest")
+    assert "about the obstacles" not in summary(rw.open(tmp_path / "rest"))
+    statics = dict(result.facts.provenance["statics"])
+    del statics[STAND]
+    change_provenance(tmp_path / "rest", statics=statics)
+    told = str(summary(rw.open(tmp_path / "rest")).get("about the obstacles", ""))
+    assert ("in which 'body' did not stand" in told) == bool(name)
+    assert ("compute it anew, rw.equilibrium(result.scene)" in told) == bool(name)
 
 
 @pytest.mark.parametrize("name", ["sideways, fast", "spins fast"])

@@ -26,6 +26,7 @@ from ropewalk.record.facts import AT_REST, Facts, provenance
 from ropewalk.record.quantities import recorded
 from ropewalk.record.result import Result
 from ropewalk.record.source import Memory
+from ropewalk.record.stood import STAND
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block
 from ropewalk.simulation.rope_contacts import on_obstacles, rope_contacts
@@ -58,6 +59,7 @@ def as_result(model: Model, statics: Statics, seconds: float) -> Result:
         "residual": statics.residual,
         "gap": statics.gap,
         "steps": statics.steps,
+        STAND: True,
     }
     facts = Facts(
         plan=plan,

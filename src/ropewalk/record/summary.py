@@ -38,6 +38,7 @@ from ropewalk.record.parted import parting_rows
 from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.reach_note import reach_note
 from ropewalk.record.seen_along import along_note
+from ropewalk.record.stood import stood_note
 from ropewalk.record.turnover import own_errors, share_turned, steady_note, sudden_note
 from ropewalk.words.counts import counted
 from ropewalk.words.prefixes import prefixed
@@ -242,6 +243,8 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         if name in notes:
             table[f"about the {title.partition(' [')[0]}"] = notes[name][1]
     table |= _moment_at_rest(result, found, notes)
+    if note := stood_note(result):
+        table["about the obstacles"] = note
     if note := rest_limiter_note(result, found):
         table["about the stretch limiter"] = note
     return (
