@@ -1,8 +1,9 @@
 // How the camera frames the ropes: all of them in the picture, clear of cards and of the legend, with their arrows.
 
 import { covers, stripAside, stripsBeside, stripsBetween } from "./view/cards.js";
-import { nodesOf } from "./view/copies.js";
+import { nodesOf, starts } from "./view/copies.js";
 import { boxOf, firstAngles } from "./view/room.js";
+import { inSight } from "./view/sight.js";
 import { vector } from "./view/vector.js";
 import { mostOf, roomFor, tipsOf, widened } from "./reactions.js";
 
@@ -12,6 +13,7 @@ import { mostOf, roomFor, tipsOf, widened } from "./reactions.js";
 /** @typedef {import("./view/camera.js").Strips} Strips */
 /** @typedef {{azimuth?: number, elevation?: number}} Angles */
 
+const LEADS = 0.04; // of a rope: so far apart are the places that lead to an end
 const ROUNDS = 3; // in which the room for arrows is found
 
 export class Framing {
@@ -25,7 +27,24 @@ export class Framing {
   /** The pose for the first look. @param {Layout} layout @returns {Pose} */
   first(layout) {
     const { camera, axis, solids, lying } = this.viewport;
-    return this.clear(layout, firstAngles(camera, axis, solids.all.length > 0, lying));
+    const from = firstAngles(camera, axis, solids.all.length > 0, lying);
+    const pose = this.clear(layout, from);
+    if (axis >= 0 || solids.all.length === 0) return pose;
+    const azimuth = inSight(camera, pose, [...this.ends(layout)], solids.all);
+    return azimuth === pose.azimuth ? pose : this.clear(layout, { ...from, azimuth });
+  }
+
+  /** Where ropes end, and what leads there. @param {Layout} layout */
+  *ends(layout) {
+    const { to } = this.viewport.nodes;
+    const first = starts(layout);
+    for (const [k, { ropes }] of layout.variants.entries())
+      for (const { first: start, nodes } of ropes)
+        for (const share of [0, LEADS, 2 * LEADS]) {
+          const away = Math.round(share * (nodes - 1));
+          for (const i of [start + away, start + nodes - 1 - away])
+            yield vector(to.subarray(4 * (first[k] + i), 4 * (first[k] + i) + 3));
+        }
   }
 
   /** The pose that shows all ropes; if a card would cover one there, beside the card.

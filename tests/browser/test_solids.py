@@ -15,6 +15,7 @@ from ropewalk.live.serve import ViewServer
 from ropewalk.live.session import Session
 from ropewalk.live.share import share_result
 from ropewalk.scene import Scene, loads
+from ropewalk.scene.presets import preset
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Window]
@@ -217,3 +218,23 @@ def test_all_of_a_body_is_in_the_first_picture(open_window: Open, serve: Serve) 
     size = window.ask("[r.viewport.camera.width, r.viewport.camera.height]")
     assert len(corners) == 8
     assert all(0 < x < size[0] and 0 < y < size[1] and z > 0 for x, y, z in corners)
+
+
+def test_a_hitch_is_looked_at_so_that_both_its_ends_are_seen(
+    open_window: Open, serve: Serve
+) -> None:
+    """The hand's end of the clove hitch lay behind its post, and its arrow came out of that."""
+    server = serve(Session(preset("clove-hitch"), "clove-hitch"))
+    window = open_window(server.address, **WIDE).ready()
+    eye = np.array(window.ask("[...r.viewport.camera.eye]"))
+    ends = server.broadcast.session.main.simulation.positions[[0, -1]]
+
+    def clear(eye: np.ndarray) -> list[bool]:
+        """Whether the way from the eye to each end keeps clear of the post, which stands on the z axis."""
+        ways = np.linspace(eye, ends, 2000)[:, :, :2]
+        return (np.hypot(ways[..., 0], ways[..., 1]).min(axis=0) > 0.02).tolist()
+
+    assert clear(eye) == [True, True]
+    far, azimuth = np.hypot(eye[0], eye[1]), -0.5 * np.pi + 0.55
+    usual = np.array([far * np.cos(azimuth), far * np.sin(azimuth), eye[2]])
+    assert clear(usual) == [False, True]  # the twin: from where other scenes are looked at
