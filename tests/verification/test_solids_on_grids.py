@@ -188,3 +188,51 @@ def test_facets_are_told_of_where_a_rope_is_drawn_round_their_edges_and_has_no_r
     x[:, turned] = x[:, turned] * np.array([[off], [1.0], [off]])
     rest = dataclasses.replace(static_shape(scene), solved=False)
     assert facet_warnings(model, rest)
+
+
+def over_a_ridge(count: int) -> Scene:
+    """A rope of 1 m in so many segments over the one rounded edge of a roof, which turns it by 36 degrees.
+
+    It comes and leaves at 2 degrees to the sides of the roof, which meet at 40.
+    """
+    bend, clear, rounded = math.radians(40.0), math.radians(2.0), 0.02
+    radius = rounded + 0.005
+    low = (2 * math.cos(bend), -2 * math.sin(bend))
+    outline = [(-2.0, 0.0), (0.0, 0.0), low, (low[0], -4.0), (-2.0, -4.0)]
+    corners = [(x, side, z) for side in (-1.0, 1.0) for x, z in outline]
+    faces = [three for i in (1, 2, 3) for three in ((0, i, i + 1), (5, 5 + i + 1, 5 + i))]
+    for i in range(5):
+        j = (i + 1) % 5
+        faces += [(i, 5 + i, 5 + j), (i, 5 + j, j)]
+    faces = [three[::-1] for three in faces]  # seen from outside
+    roof = Mesh(vertices=corners, faces=faces, rounding=rounded, friction=MU, name="roof")
+
+    def place(s: float) -> tuple[float, float, float]:
+        a = min(max(s / radius, clear), bend - clear)
+        on, tail = np.array([math.sin(a), math.cos(a)]), s - radius * a
+        x, z = radius * on + tail * np.array([math.cos(a), -math.sin(a)])
+        return float(x), 0.0, float(z)
+
+    points = np.array([place(-0.5 + i / count) for i in range(count + 1)])
+    length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+    out = [points[0] - points[1], points[-1] - points[-2]]
+    pulls = [
+        {"node": n, "force": 10 * d / np.linalg.norm(d)} for n, d in zip((0, -1), out, strict=True)
+    ]
+    stuff = Material(EA=1e4, mass_per_length=0.1, axial_damping=5.0)
+    rope = Rope(
+        segments=count, length=length, diameter=0.01, made_of=stuff, forces=pulls,
+        shape=Points(points=points.tolist()),
+    )  # fmt: skip
+    return Scene(gravity=(0, 0, 0), ropes=[rope], obstacles=[roof])
+
+
+def test_one_edge_is_no_facet_and_more_nodes_do_help_there() -> None:
+    """It was called bumps, friction 0.3 plus or minus 0.35 "with any number of nodes"."""
+    coarse, fine = over_a_ridge(40), over_a_ridge(240)
+    rest = static_shape(coarse)
+    few, many = (max(one.wraps, key=lambda wrap: wrap.angle) for one in (rest, static_shape(fine)))
+    assert facet_warnings(build(coarse), rest) == []
+    assert few.coarse.is_told
+    assert not many.coarse.is_told
+    assert many.most / many.before == pytest.approx(math.exp(MU * math.radians(36.0)), rel=0.01)

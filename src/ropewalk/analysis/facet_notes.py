@@ -2,7 +2,8 @@
 
 A node is pressed across the facet it lies on. Where that is tilted by e against the middle of the rope's turn
 a there, tensions change by the factor exp(e a) besides friction's exp(mu a), however many nodes there are:
-facets that meet at b tilt by b/2 at most, so that friction acts as one of mu - b/2 to mu + b/2.
+facets that meet at b tilt by b/2 at most, so that friction acts as one of mu - b/2 to mu + b/2. One edge
+alone, as a ridge, is no facet of something round: more nodes on its rounding help there, see `coarse_turns`.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ _LIES = 0.1  # [1] diameters off a surface within which a node is on it
 _DRAWN = 0.5  # [1] the same where there is no rest: drawn ropes are put round the edges, with room
 _TURNS = math.radians(20.0)  # by which a rope turns on it in all
 _FLAT, _EDGE = 1e-3, math.radians(50.0)  # between which facets stand for something round
+_LINE = 1e-6  # [1] of an edge by which another may lie off it
 _SMALL = 0.1  # [1] of friction: what bumps add or take that is not told
 
 
@@ -66,7 +68,8 @@ def _turn(x: Floats, nodes: Ints) -> float:
 def _facets_meet(table: Obstacles, row: int, places: Floats, reach: float) -> float:
     """Return the mean angle [rad] of edges within `reach` [m] of places (n, 3), by length; 0 without any.
 
-    Of those that are neither flat nor sharp. The normal of an edge is that of both its triangles' sum.
+    Of those that are neither flat nor sharp; 0 where all of them are one edge. The normal of an edge is that
+    of both its triangles' sum.
     """
     size = table.size[row]
     begin, after = int(size[TRIANGLES]), int(size[NORMALS])
@@ -83,6 +86,15 @@ def _facets_meet(table: Obstacles, row: int, places: Floats, reach: float) -> fl
     for place in places:
         share = np.clip(((place - first) * along).sum(axis=1) / square, 0.0, 1.0)
         close |= np.linalg.norm(place - first - share[:, None] * along, axis=1) < reach
-    if not close.any():
+    if not close.any() or _is_one(first[close], along[close]):
         return 0.0
     return float(np.average(angle[bends][close], weights=np.sqrt(square[close])))
+
+
+def _is_one(begins: Floats, along: Floats) -> bool:
+    """Tell whether edges from places (k, 3) [m] along vectors (k, 3) lie on one line."""
+    way = along[0] / np.linalg.norm(along[0])
+    off = [
+        np.linalg.norm(np.cross(ends - begins[0], way), axis=1) for ends in (begins, begins + along)
+    ]
+    return bool(np.max(off) < _LINE * np.linalg.norm(along, axis=1).max())
