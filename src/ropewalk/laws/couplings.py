@@ -6,15 +6,34 @@ from typing import Any
 
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.ordering import begin_groups, order_groups
-from ropewalk.laws.node_law import NodeLaw
+from ropewalk.laws.node_law import NodeLaw, has_any
 from ropewalk.laws.nodes import fold, nothing_to_remember, remembering, whether
 from ropewalk.laws.rare import acts
 
 FINE, AGAIN, HALVE = range(3)  # what `meet` says of a step
 
 
-couples = whether("couple")
-"""couples(system): tell whether a law that acts couples nodes that are no neighbours."""
+may_couple = whether("couple")
+"""may_couple(system): tell whether a law that acts may couple nodes that are no neighbours."""
+
+
+@part
+def _none_couples(system, state):
+    return False
+
+
+def _counting(law: NodeLaw, k: int, rest: Any) -> Any:
+    couples_any = law.couples_any or has_any
+
+    @part
+    def _couples(system, state):
+        return (acts(system, k) and couples_any(system.node[k], state)) or rest(system, state)
+
+    return _couples
+
+
+couples = fold(_counting, _none_couples, "couple")
+"""couples(system, state): tell whether one couples any, as the state has it: so during a whole solve."""
 
 
 @part
@@ -60,7 +79,7 @@ _tell_all = fold(_telling, _none_told, "ordered")
 @part
 def order_couplings(system, state, x, network):
     """Find the network's order anew with all that laws couple; return whether there was room for it."""
-    if not couples(system):
+    if not may_couple(system):
         return True
     begin_groups(network)
     _ask_all(system, state, x, network)

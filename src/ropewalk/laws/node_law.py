@@ -43,6 +43,12 @@ def never(table):
     return False
 
 
+@part
+def has_any(table, state):
+    """Say yes."""
+    return True
+
+
 class NodeLaw(NamedTuple):
     """A law of nodes. x and v are (3, n), [m] and [m/s]; `marks` (n,) are the law's own."""
 
@@ -107,6 +113,7 @@ class NodeLaw(NamedTuple):
     ordered: Any = None  # part (table, state, fits): whether there was room for those of all laws
     # part (table, state, x, v, weight_x, weight_v, network): add -(weight_x dF/dx + weight_v dF/dv)
     couple: Any = None
+    couples_any: Any = None  # part (table, state): whether there are any such groups; None: always
     along: Any = (
         None  # part (table, state, x, v, d, weight_x, weight_v): d . K d of it [N m], d (3, n) [m]
     )

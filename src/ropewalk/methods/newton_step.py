@@ -48,7 +48,7 @@ def rub_along(damping, rubs, over_c1, mass, free, inertia, saddle):
 @part
 def is_local(system, state):
     """Tell whether all laws but those of the segments' own stretch act on nodes each by itself."""
-    bound = has_bending(system) or are_tied(system) or couples(system) or has_wheels(system)
+    bound = has_bending(system) or are_tied(system) or couples(system, state) or has_wheels(system)
     return not bound and are_local(system) and not winds(system, state)
 
 
@@ -102,7 +102,7 @@ def newton_step(system, state, stage, c1, c2, exact, leap):
     saddle, segments, inertia = stage.saddle, stage.segments, 1.0 / (c1 * c2)
     rubs = saddle.band.rubs
     held_back = stiffen(stage.tension, segments.over, segments.weight, exact, saddle.across)
-    coupled = are_tied(system) or couples(system)
+    coupled = are_tied(system) or couples(system, state)
     if is_local(system, state):
         rub_along(state.damping_vector, rubs, 1.0 / c1, state.mass, saddle.free, inertia, saddle)
         solve_local(system, state, stage, c1)

@@ -15,7 +15,7 @@ import math
 import numpy as np
 
 from ropewalk.core.jit import kernel, part
-from ropewalk.laws.couplings import couples
+from ropewalk.laws.couplings import may_couple
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.laws.rare import has_bending
 
@@ -31,7 +31,7 @@ LENGTH, SOLVED, NEED = 3, 4, 5  # places in `State.past`
 def carries_parts(system, state, dt):
     """Tell whether the parts of the last step go on in the next of `dt` [s]."""
     tally = state.memory.contact.tally
-    if not couples(system) or tally.shape[0] == 0:
+    if not may_couple(system) or tally.shape[0] == 0:
         return False
     if has_bending(system):
         return is_fast(state.v, dt, system.node.contact)

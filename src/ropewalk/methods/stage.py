@@ -198,10 +198,10 @@ def shorter_part(size, trial, merit):
 
 
 @part
-def is_smooth(system):
+def is_smooth(system, state):
     """Tell whether stretch, air and ground are all there is: a line search that looks back pays then."""
     touches = system.rare is not None and system.node.obstacle.kind.shape[0] > 0
-    return not (touches or has_bending(system) or limits(system) or couples(system))
+    return not (touches or has_bending(system) or limits(system) or couples(system, state))
 
 
 @kernel
@@ -240,10 +240,10 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         begin_solve(system, state, stage, c1, c2)
     iteration, merit, exact, wary, held_back, failed, leaps, leap = take_course(report, aid)
     size, bar, first, whole = 0.0, np.inf, iteration, False
-    calm, touching, last = not has_bending(system), couples(system), np.inf
+    calm, touching, last = not has_bending(system), couples(system, state), np.inf
     most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
     most = AIDED_ITERATIONS if window != 0 else most
-    late, memory = (LATE, MEMORY) if is_smooth(system) else (CAREFUL_LATE, CAREFUL_MEMORY)
+    late, memory = (LATE, MEMORY) if is_smooth(system, state) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
         accelerate(system, state, stage.forces, stage.a)

@@ -112,13 +112,15 @@ def pressed(grip, row, u, w, soft, hard, stop, damping, size):
     return force - damping * rate, slope, damping
 
 
-@deferred()
+@small
 def pair_forces(x, v, table, memory, force, lo, hi):
     """Write the force of all contacts on every node [N], (3, n), and what of it rubs, the next 3 rows."""
-    for row in range(force.shape[0]):
-        for i in range(lo, min(hi, x.shape[1])):
-            force[row, i] = 0.0
-    add_pair_forces(x, v, table, memory, force)
+    for k in range(force.shape[0]):
+        row = force[k]
+        for i in range(lo, min(hi, row.shape[0])):
+            row[i] = 0.0
+    if memory.tally[CONTACTS] > 0:
+        add_pair_forces(x, v, table, memory, force)
 
 
 @deferred()

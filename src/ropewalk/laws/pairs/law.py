@@ -16,7 +16,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
-from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
 from ropewalk.laws.pairs.boxes import room_for
@@ -167,6 +167,12 @@ def memory(table: Pairs, x: Floats, stiffness: Floats, _held: Ints | None = None
 
 
 @part
+def any_contact(state):
+    """Tell whether there is any contact: what follows is called for nothing where there is none."""
+    return state.memory.contact.tally[CONTACTS] > 0
+
+
+@part
 def force(table, state, x, v, force, lo, hi):
     """Write the force of all contacts on every node [N], (3, n)."""
     pair_forces(x, v, table, state.memory.contact, force, lo, hi)
@@ -178,10 +184,21 @@ def tangent(table, state, x, v, weight_x, weight_v, marks, band):
 
 
 @part
+def add_diagonal(table, weight_v, free, diagonal):
+    """Add nothing, as `tangent`."""
+
+
+@part
 def pattern(table, state, x, network):
     """Ask for the contacts at hand."""
     memory = state.memory.contact
     memory.tally[ASKED] = ask_for(network, memory.pair, memory.tally[CONTACTS])
+
+
+@part
+def couples_any(table, state):
+    """Tell whether there are any contacts: the step's way is looked at in either case, see `meet`."""
+    return any_contact(state)
 
 
 @part
@@ -213,8 +230,10 @@ def remember(table, state):
     note_ropes(table, memory, state.stiffness)
     solved = memory.tally[SEEN] == 1
     closed = remember_pairs(state.x, state.v, dt, table, memory, state.tied)
-    follow_slides(state.x, table, memory, state.memory.slide, state.tied)
-    brake_hits(state.x, state.v, state.inverse_mass, table, memory, dt, solved)
+    if table.inside.shape[0] > 0:
+        follow_slides(state.x, table, memory, state.memory.slide, state.tied)
+    if any_contact(state):
+        brake_hits(state.x, state.v, state.inverse_mass, table, memory, dt, solved)
     return closed
 
 
@@ -227,6 +246,8 @@ def book(table, state, force, middle, dt):
 @part
 def hits(table, state, force, dt, x, v):
     """Return how quickly contacts stop what they hit in a step from the state to `x` and `v` [1/s]."""
+    if not any_contact(state):
+        return 0.0
     return quickest_closing(state.v, x, v, force, dt, table, state.memory.contact)
 
 
@@ -234,7 +255,8 @@ def hits(table, state, force, dt, x, v):
 def meet(table, state, x):
     """Tell whether the way from the state to `x` may stand, see `way`."""
     memory = state.memory.contact
-    if reach_ahead(x, table, memory, state.memory.slide, state.tied):
+    slides = table.inside.shape[0] > 0
+    if slides and reach_ahead(x, table, memory, state.memory.slide, state.tied):
         return AGAIN
     return meet_pairs(state.x, x, table, memory, state.tied, state.now[0] - state.now[1])
 
@@ -242,7 +264,8 @@ def meet(table, state, x):
 @part
 def brace(table, state, dt, all_anew):
     """Let contacts have the drag that stops what they meet in a step of `dt` [s], see `brake`."""
-    brake_again(state.x, state.v, state.inverse_mass, table, state.memory.contact, dt, all_anew)
+    if any_contact(state):
+        brake_again(state.x, state.v, state.inverse_mass, table, state.memory.contact, dt, all_anew)
 
 
 @part
@@ -268,7 +291,7 @@ def touch(table, state, force):
 @part
 def rounding(table, state, x):
     """Return what rounding of the places does to the force [N]."""
-    return pair_rounding(x, table, state.memory.contact)
+    return pair_rounding(x, table, state.memory.contact) if any_contact(state) else 0.0
 
 
 @part
@@ -327,6 +350,9 @@ CONTACT = NodeLaw(
     acts=acts,
     force=force,
     tangent=tangent,
+    is_diagonal=always,
+    is_local=always,
+    add_diagonal=add_diagonal,
     memory=memory,
     remember=remember,
     book=book,
@@ -343,6 +369,7 @@ CONTACT = NodeLaw(
     pattern=pattern,
     ordered=ordered,
     couple=couple,
+    couples_any=couples_any,
     along=along,
     meet=meet,
     brace=brace,

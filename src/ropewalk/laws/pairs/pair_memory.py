@@ -371,6 +371,18 @@ def remember_pairs(x, v, dt, table, memory, tied):
     for k in range(3):
         for i in range(x.shape[1]):
             memory.way[k, i] = x[k, i] - place[k, i]
+    if count[CONTACTS] > 0 or count[NEAR] > 0:
+        closed = look_at_all(x, v, dt, table, memory, tied)
+    for k in range(3):
+        for i in range(x.shape[1]):
+            place[k, i] = x[k, i]
+    return closed
+
+
+@deferred("float64")
+def look_at_all(x, v, dt, table, memory, tied):
+    """Keep what contacts carry, and find who touches, of those that are near; return how many have closed."""
+    count, place, closed = memory.tally, memory.place, 0.0
     for row in range(count[CONTACTS]):
         closed += hold(x, v, table, memory, row)
         refresh(x, v, dt, place, table, memory, row, tied)
@@ -379,7 +391,4 @@ def remember_pairs(x, v, dt, table, memory, tied):
     list_new(x, table, memory, tied)
     drop_gone(memory)
     lead_offsets(x, dt, table, memory)
-    for k in range(3):
-        for i in range(x.shape[1]):
-            place[k, i] = x[k, i]
     return closed

@@ -8,6 +8,7 @@ from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.laws.pairs.boxes import begin_of, grow_tree, next_leaf, overlap
 from ropewalk.laws.pairs.distance import on_way, product
 from ropewalk.laws.pairs.easing import ease_levers
+from ropewalk.laws.pairs.strung_out import is_strung_out
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     LEAN,
@@ -122,6 +123,9 @@ def list_near(x, y, table, memory, tied):
 @kernel
 def find_near(x, y, table, memory, tied):
     """Have all pairs listed that come near on the way from x to y; return whether there was room."""
+    if is_strung_out(x, y, table, memory):
+        memory.tally[NEAR], memory.origin[0, 0] = 0, NOWHERE
+        return True
     half = 0.5 * table.skin[0]
     if moved_from(memory.origin, x) <= half and moved_from(memory.origin, y) <= half:
         return True
