@@ -268,9 +268,10 @@ def take_step(
         whole = dt if kind == DIRK and s == 0 and b.shape[0] == 2 else 0.0
         status, point, speed = UNSOLVED, scratch.point, scratch.speed
         # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
-        twice = not watch or (not couples(system, state) and (level == 0 or has_bending(system)))
+        held = couples(system, state)  # what contacts hold may leap at the start
+        twice = not watch or (not held and (level == 0 or has_bending(system)))
         for attempt in range(2 if twice else 1):
-            if attempt == 1 or couples(system, state):  # what is held by contacts may leap at the start
+            if attempt == 1 or held:
                 clear(stage.a)
             if attempt == 1 or not warm:
                 axpy(stage.v_known, c2, stage.a, stage.v)

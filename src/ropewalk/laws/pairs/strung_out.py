@@ -1,4 +1,4 @@
-"""A rope that is strung out touches nothing of itself: one look at its nodes tells so, and no pair is listed."""
+"""A rope that is strung out touches nothing of itself: one look at its nodes tells, and no pair is listed."""
 
 from __future__ import annotations
 
