@@ -266,12 +266,11 @@ def take_step(
             share = 1.0 - numbers[1]
         time, ahead = after if share == 1.0 else t + share * dt, share * dt
         whole = dt if kind == DIRK and s == 0 and b.shape[0] == 2 else 0.0
-        status, point, speed = UNSOLVED, scratch.point, scratch.speed
+        status, held, point, speed = UNSOLVED, couples(system, state), scratch.point, scratch.speed
         # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
-        held = couples(system, state)  # what contacts hold may leap at the start
         twice = not watch or (not held and (level == 0 or has_bending(system)))
         for attempt in range(2 if twice else 1):
-            if attempt == 1 or held:
+            if attempt == 1 or held:  # what is held by contacts may leap at the start
                 clear(stage.a)
             if attempt == 1 or not warm:
                 axpy(stage.v_known, c2, stage.a, stage.v)
