@@ -11,6 +11,7 @@ from collections.abc import Callable
 from itertools import count
 from pathlib import Path
 
+from bench.apart import nothing_near
 from bench.clock import Timing, take_turns
 from bench.compile import compile  # noqa: A004 - the name of the case
 from bench.heaps import here_and_there, ropes_on_ropes
@@ -206,6 +207,7 @@ CASES = (
     sticking,
     on_obstacles,
     without_contacts,
+    nothing_near,
     finding_pairs,
     here_and_there,
     ropes_on_ropes,

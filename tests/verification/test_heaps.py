@@ -33,7 +33,7 @@ def test_a_bar_through_another_is_seen() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [0, 1, 3, 6])
+@pytest.mark.parametrize("seed", [0, 1, 6, 9])
 def test_a_pile_comes_to_rest_and_none_passes(seed: int) -> None:
     """All steps solved, unknotted as ever, no energy made up, no deeper than a tenth; it lies still."""
     heap = run("pile", seed, seed % 2 == 1)
