@@ -402,3 +402,27 @@ def test_on_a_pulley_a_rope_slips_over_the_wheel_as_it_turns() -> None:
     last = table[table["time [s]"] == result.time[-1]]
     alone = result.to_pandas("contacts", times=[float(result.time[-1])])
     assert np.array_equal(alone["slip speed [m/s]"], last["slip speed [m/s]"])
+
+
+def test_what_sticks_gives_back_by_its_spring_what_friction_never_does() -> None:
+    """Power of friction at a frame is that of the spring, too; over a time it comes to what is lost."""
+    rope = rw.Rope(
+        segments=4,
+        length=0.2,
+        diameter=0.01,
+        made_of=rw.Material(EA=1e4, mass_per_length=0.1, axial_damping=0.1),
+        shape={"kind": "straight", "start": (0, 0, 0.00495), "end": (0.2, 0, 0.00495)}
+        | {"velocity": (0.003, 0, 0)},
+    )
+    run = {"method": "esdirk3", "time_step": 1e-4, "duration": 0.05, "frame_rate": 10000}
+    result = rw.simulate(
+        Scene(ropes=[rope], obstacles=[Plane(name="floor", friction=0.5)], run=run)
+    )
+    table = result.to_pandas("contacts")
+    assert set(table["mode"]) == {"sticks"}
+    power = table.groupby("time [s]")["friction power [W]"].sum()
+    assert power.max() > 5e-3 * -power.min() > 0.0
+    lost = result.contact_work["floor"]["friction"]
+    assert np.diff(lost).max() <= 1e-15
+    pairs = 0.5 * (power.to_numpy()[1:] + power.to_numpy()[:-1])
+    assert (pairs * np.diff(power.index)).sum() == pytest.approx(lost[-1], rel=0.03)
