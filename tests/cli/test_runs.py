@@ -209,7 +209,7 @@ def test_folders_that_are_no_runs(ropewalk: Any, scene: Path, command: str) -> N
     path.write_text(json.dumps(json.loads(path.read_text()) | {"format": 99}))
     refused(
         ropewalk(command, "a", *more),
-        "a: has the format 99; this version of ropewalk reads 2, 3, 4, 5, 6, 7, 8 and 9",
+        "a: has the format 99; this version of ropewalk reads 2, 3, 4, 5, 6, 7, 8, 9 and 10",
     )
     path.write_text("{")
     refused(ropewalk(command, "a", *more), "provenance.json: is damaged")

@@ -22,7 +22,7 @@ from ropewalk.record.errors import RunError
 from ropewalk.record.folder import verify
 
 RUNS = Path(__file__).parent / "data" / "old_runs.tar.xz"
-NAMES = ("format2-verlet", *(f"format{number}-esdirk3" for number in range(2, 9)))
+NAMES = ("format2-verlet", *(f"format{number}-esdirk3" for number in range(2, 10)))
 
 
 @pytest.fixture(scope="module")

@@ -58,7 +58,7 @@ FAULTS: dict[str, tuple[Callable[[Path], object], str]] = {
     ),
     "another version": (
         lambda f: edit(f / "provenance.json", "format", 99),
-        "has the format 99; this version of ropewalk reads 2, 3, 4, 5, 6, 7, 8 and 9",
+        "has the format 99; this version of ropewalk reads 2, 3, 4, 5, 6, 7, 8, 9 and 10",
     ),
     "another store": (
         lambda f: damage_root(f, lambda root: root["attributes"].update(ropewalk_format=98)),  # type: ignore[attr-defined]

@@ -41,7 +41,7 @@ def pile(**run: Any) -> rw.Result:
 
 
 def test_what_a_landing_gives_at_least_is_told_of_floor_and_hand() -> None:
-    """Steps of 4 ms had 0.15 and 0.17 N. The twin: steps and frames that show it, and more than was told."""
+    """Steps of 4 ms had 0.41 and 0.17 N. The twin: steps and frames that show it, and more than was told."""
     coarse = pile().table
     least = {
         row: float(re.findall(r"too low: it was ([\d.]+) N at least", coarse[row])[0])
@@ -55,15 +55,19 @@ def test_what_a_landing_gives_at_least_is_told_of_floor_and_hand() -> None:
         HAND: fine["largest anchor force [N]"],
     }
     for row, told in least.items():
-        assert coarse[row.removeprefix("about the ") + " [N]"] < 0.3 * told < 0.3 * force[row]
+        assert coarse[row.removeprefix("about the ") + " [N]"] < 0.9 * told < 0.9 * force[row]
         assert "too low: it was" not in fine.get(row, "")
 
 
 def test_frames_that_are_too_far_apart_for_a_hit_say_so() -> None:
-    """Steps show 4 N of it, frames 0.17 N."""
-    table = pile(**{"run.time_step": 1 / 3840}).table
+    """Steps show 4 N of it, frames 0.17 N, where these alone are kept. The twin: steps are kept, too."""
+    table = pile(**{"run.time_step": 1 / 3840, "run.extremes": False}).table
     assert "between two frames there may be far more" in table[FLOOR]
-    assert table["largest anchor force [N]"] > 4.0
+    assert table["largest force on an obstacle [N]"] < 0.5
+    every = pile(**{"run.time_step": 1 / 3840}).table
+    assert every["largest anchor force [N]"] > 4.0
+    assert every["largest force on an obstacle [N]"] > 1.47
+    assert "between two frames" not in every.get(FLOOR, "")
 
 
 def test_a_landing_of_a_rope_that_cannot_push_is_none() -> None:
@@ -158,10 +162,10 @@ def test_a_peak_of_a_rope_that_does_not_press_says_nothing_of_an_obstacle(
 
 
 def test_a_peak_of_another_time_says_nothing_of_a_force() -> None:
-    """The jerk of 0.18 s was told of an obstacle's force of 0.28 s. The twin: at the same time."""
+    """The jerk of 0.18 s was told of a force of another time. The twin: of the same, as on the stairs."""
     table = rw.simulate(rw.preset("stairs").replace(**{"run.duration": 0.5})).table
     assert "a jerk" in table[PULL]
-    assert FLOOR not in table
+    assert "see the largest tension, of about the same time" in table[FLOOR]
     result = beside(1.0)
     force, tension = (
         extremes(result)[one] for one in ("greatest anchor force", "greatest tension")

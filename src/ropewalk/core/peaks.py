@@ -20,6 +20,10 @@ TENSION, LEAST_TENSION, STRETCH, SPEED, HIGHEST, LOWEST, FORCE, MOMENT = range(8
 VALUE, PLACE, SINCE, UNTIL = range(4)
 BOUNDS = ("least", "greatest")  # rows of `Peaks.error`
 LEAST, GREATEST = range(2)
+# Columns of `Peaks.pressed`: the square of the greatest force on a surface [N^2], when [s], and the least
+# square in the steps before that, WITHIN of them; then the last look [s] and the squares of the last steps.
+SQUARE, WHEN, BEFORE, LOOKED, STEPS = range(5)
+WITHIN = 3
 
 
 class Peaks(NamedTuple):
@@ -41,18 +45,29 @@ class Peaks(NamedTuple):
         Floats  # (2, 2) least and greatest energy error [J], and when [s]; without a ledger unseen
     )
     error_zero: Floats  # (1,) energy from which errors count [J]; NaN without a ledger
+    pressed: (
+        Floats  # (b, 7) of every surface, see `Layout.surfaces` and SQUARE; of ropes on ropes none
+    )
 
 
 _HIGH, _LOW = -np.inf, np.inf  # what every number lies beyond
 START = (_HIGH, _LOW, _HIGH, _LOW, _HIGH, _HIGH, _HIGH, _LOW, _HIGH, _HIGH)
 
 
-def no_peaks(segments: int, nodes: int, anchors: int) -> Peaks:
+def no_peaks(segments: int, nodes: int, anchors: int, surfaces: int = 0) -> Peaks:
     """Return the extremes of no step at all, without clamps; of no segments and nodes: nothing is wanted."""
     sizes = (*(segments,) * 5, *(nodes,) * 3, anchors, 0)
     rows = [np.full(size, start) for size, start in zip(sizes, START, strict=True)]
     more = ((4, len(EXTREMES)), (1,), (2, 2) if nodes else (0, 2), (1,))
-    return Peaks(*rows, *(np.full(shape, np.nan) for shape in more))
+    rows += [np.full(shape, np.nan) for shape in more]
+    rows.append(np.tile([_HIGH, *[np.nan] * (STEPS - 1 + WITHIN)], (surfaces, 1)))
+    return Peaks(*rows)
+
+
+def root_of(squares: Floats) -> Floats:
+    """Return the roots of greatest squares, no numbers where none was seen."""
+    found: Floats = np.sqrt(np.where(squares >= 0.0, squares, np.nan))
+    return found
 
 
 # `+ 0.0` keeps LLVM from writing a maximum as a masked store, which takes three times as long.

@@ -10,6 +10,7 @@ from numpy.lib.stride_tricks import as_strided
 
 from ropewalk.core.arrays import Floats, Ints, State
 from ropewalk.engine.engine import Engine
+from ropewalk.engine.pressed import add_pressed
 from ropewalk.engine.shares import NODES_RECORDED, SEGMENTS_RECORDED, Share, best_of
 from ropewalk.methods.recording import (
     LARGE,
@@ -39,7 +40,7 @@ GONE = (
         "speed_high",
     ),
     *("lowest", "highest", "reaction", "reaction_high", "moment", "moment_high", "contact"),
-    "joint_force",
+    *("joint_force", "pressed_high", "pressed_time", "pressed_before"),
     *("extremes", "extreme_since", "extreme_until"),
 )
 
@@ -169,6 +170,7 @@ class Frames:
             own = found.work[..., len(group.works) :]
             out.work[:frames, self._laws + group.anchors] = _beside(own)
         self._add(out, frames, made)
+        add_pressed(out, frames, made, [group.shares[0].bodies for group in self._groups])
         if out.extremes.shape[1]:
             pairs = zip(self._groups, made, strict=True)
             each = [(group.shares, _extremes(found)) for group, found in pairs]

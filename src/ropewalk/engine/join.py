@@ -10,6 +10,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats, Ints, State, System
 from ropewalk.core.status import HONEST, LAST, SEEN, TAKEN, ZERO
 from ropewalk.engine.engine import Engine
+from ropewalk.engine.pressed import join_pressed
 from ropewalk.engine.shares import PEAKS_OF_SEGMENTS, Share, best_of
 from ropewalk.laws.pairs.swept import HELD_WIDTH, place_boxes, place_held
 from ropewalk.methods.controller import (
@@ -92,6 +93,10 @@ def _join_peaks(state: State, share: Share, parts: Sequence[Whose]) -> None:
             peaks.moment[rows] = seen.moment
         each.append(([Among(own[part.nodes], np.array(rows, np.int64))], seen.found[None].copy()))
     peaks.found[:] = best_of(each, np.arange(len(parts)))
+    places = [np.searchsorted(share.bodies, part.bodies) for _, part in parts]
+    join_pressed(
+        state, [(engine.state, rows) for (engine, _), rows in zip(parts, places, strict=True)]
+    )
     first = parts[0][0].state.peaks
     peaks.looked[:] = first.looked
     peaks.error[:, 0] = sum(engine.state.peaks.error[:, 0] for engine, _ in parts)

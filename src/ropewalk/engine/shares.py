@@ -11,6 +11,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints, State, copy, flatten
 from ropewalk.core.peaks import EXTREMES, FORCE, LEAST_TENSION, LOWEST, PLACE, VALUE
+from ropewalk.engine.pressed import join_pressed
 from ropewalk.laws.pairs.table import SLIDE
 from ropewalk.laws.registry import NAMES
 from ropewalk.laws.slides.table import DRUM, ENDS
@@ -46,7 +47,7 @@ SLIDES = tuple(
 SUMS = ("work.limiter", "work.winch")
 OWN = (
     *("past", "now", "jolt", "most", "balance"),
-    *("memory.slide.tally", "memory.obstacle.until"),
+    *("memory.slide.tally", "memory.obstacle.until", "memory.obstacle.load"),
 )
 MEMORY = "memory."  # of laws of nodes
 PEAKS = "peaks."  # every island looks at its own steps
@@ -306,6 +307,8 @@ def gather_peaks(shares: list[Share], own: list[State], whole: State) -> None:
         peaks.reaction[share.anchors] = state.peaks.reaction
         if state.peaks.moment.size:
             peaks.moment[share.anchors] = state.peaks.moment
+    rows = [share.bodies for share in shares]
+    join_pressed(whole, list(zip(own, rows, strict=True)))
     each = [
         ([share], state.peaks.found[None].copy()) for share, state in zip(shares, own, strict=True)
     ]

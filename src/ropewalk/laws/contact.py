@@ -121,9 +121,10 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
     """Keep what the contacts carry at `x` and `v`, the places, and the coefficients of friction there.
 
     Return how many contacts have closed. What surfaces that move give to nodes in the step is added up, too,
-    their force at its end times their way.
+    their force at its end times their way; and the force on every obstacle then.
     """
     n, place, held, closed = x.shape[1], memory.place, memory.held, 0.0
+    clear(memory.load)
     dt = now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
@@ -174,6 +175,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / grip[STIFF, i]
             if push > 0.0:
                 rx, ry, rz = rx + push * nx, ry + push * ny, rz + push * nz
+                add_load(memory.load, o, rx, ry, rz)
                 power = rx * (lx + gx) + ry * (ly + gy) + rz * (lz + gz)
                 memory.given[i] += max(dt * power, 0.0)
             gx, gy, gz = dt * (v[0, i] - ux), dt * (v[1, i] - uy), dt * (v[2, i] - uz)
@@ -186,6 +188,21 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             memory.way[k, i] = x[k, i] - place[k, i]
             place[k, i] = x[k, i]
     return closed
+
+
+@small
+def clear(load):
+    """Begin with no force on obstacles, (k, 3)."""
+    for o in range(load.shape[0]):
+        load[o, 0] = load[o, 1] = load[o, 2] = 0.0
+
+
+@small
+def add_load(load, o, fx, fy, fz):
+    """Add what a node is pressed with by an obstacle [N] to the force on that."""
+    load[o, 0] -= fx
+    load[o, 1] -= fy
+    load[o, 2] -= fz
 
 
 @small

@@ -118,6 +118,7 @@ class Memory(NamedTuple):
     books: Floats  # (k, BOOKS, n) see `contact_books`
     slip: Floats  # (k, WAYS, n) ways over each obstacle in the last step [m], see `contact_books`
     way: Floats  # (3, n) in the last step [m]
+    load: Floats  # (k, 3) of the ropes on each obstacle as the last step ended [N], NaN before the first
     wheel: Floats  # (w, WIDTH) see `wheel_rows`
     ties: Floats  # (w, ROWS, n) working space of wheels
     # (n,) which obstacle a node would have gone through in a step, from 1 on; from -1 down the segment after
@@ -248,14 +249,16 @@ def memory(obstacles: Obstacles, x: Floats, stiffness: Floats, held: Ints) -> Me
     own = np.zeros((wheels, WIDTH)), np.zeros((wheels, ROWS, n)), passes[0], passes[1].copy()
     last = (held.copy() if count else passes[0].copy()), np.zeros(min(count, 1))
     grip, books, slip = (np.zeros((count, rows, n)) for rows in (GRIPS, BOOKS, WAYS))
+    load = np.full((count, 3), np.nan)
     grip[:, STIFF], grip[:, DAMP] = obstacles.stiffness, obstacles.damping
     if count == 0:
         none = np.zeros((3, 0))
-        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), *own, *last)
-    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), *own, *last)
+        return Memory(grip, none, np.zeros(0), books, slip, none.copy(), load, *own, *last)
+    found = Memory(grip, x.copy(), np.zeros(n), books, slip, np.zeros_like(x), load, *own, *last)
     found.wheel[:, RATE] = obstacles.rate
     remember_contacts(x, np.zeros_like(x), obstacles, found, np.zeros(2), stiffness)
     grip[:, PUSH] *= grip[:, PUSH] > TOUCHES * obstacles.diameter * obstacles.stiffness
+    load[:] = np.nan  # what a shape presses as it is drawn is no load
     return found
 
 

@@ -8,16 +8,22 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, State
 from ropewalk.core.peaks import (
+    BEFORE,
     FORCE,
     HIGHEST,
     LEAST_TENSION,
     LOWEST,
     MOMENT,
     SPEED,
+    SQUARE,
+    STEPS,
     STRETCH,
     TENSION,
+    WHEN,
+    WITHIN,
     Peaks,
     no_peaks,
+    root_of,
 )
 from ropewalk.methods.recording import Recording
 
@@ -84,6 +90,7 @@ class Interval:
                 reaction=force,
                 moment=moment,
                 error=_error_of(frames),
+                pressed=_pressed_of(frames),
             )
         )
 
@@ -101,6 +108,7 @@ class Interval:
             low=np.minimum(known.low, peaks.low),
             reaction=np.maximum(known.reaction, peaks.reaction),
             moment=np.maximum(known.moment, peaks.moment),
+            pressed=_more_pressed(known.pressed, peaks.pressed),
         )
 
     def widened(self, now: Seen, live: np.ndarray) -> Seen:
@@ -148,6 +156,11 @@ class Interval:
             if row.shape[1] == seen.size:
                 pick(row[0], seen, out=row[0])
         _widen_error(frame, known.error)
+        if frame.pressed_high.shape[1] == known.pressed.shape[0]:
+            more = _more_pressed(_pressed_of(frame), known.pressed)
+            frame.pressed_high[0] = root_of(more[:, SQUARE])
+            frame.pressed_time[0] = more[:, WHEN]
+            frame.pressed_before[0] = root_of(more[:, BEFORE])
         live = (state.rest_length > 0.0) | (state.stiffness > 0.0)
         for which, values in (
             (TENSION, np.where(live, frame.tension_high[0], -np.inf)),
@@ -185,6 +198,25 @@ def _error_of(frames: Recording) -> Floats:
     found = np.full((2, 2), np.nan)
     for row in range(len(frames.error_range)):
         found = _wider(found, np.stack((frames.error_range[row], frames.error_times[row]), axis=1))
+    return found
+
+
+def _more_pressed(one: Floats, other: Floats) -> Floats:
+    """Return the greatest forces on obstacles of two and their times, as `Peaks.pressed`."""
+    if one.shape != other.shape:
+        return other.copy()
+    more: Floats = np.where(other[:, :1] > one[:, :1], other, one)
+    return more
+
+
+def _pressed_of(frames: Recording) -> Floats:
+    """Return the greatest forces on obstacles of recorded frames, as `Peaks.pressed`."""
+    force = np.where(np.isnan(frames.pressed_high), -np.inf, frames.pressed_high)
+    at = force.argmax(axis=0), np.arange(force.shape[1])
+    square = np.where(force[at] >= 0.0, force[at] ** 2, -np.inf)
+    found = np.full((square.size, STEPS + WITHIN), np.nan)
+    found[:, SQUARE], found[:, WHEN] = square, frames.pressed_time[at]
+    found[:, BEFORE] = frames.pressed_before[at] ** 2
     return found
 
 

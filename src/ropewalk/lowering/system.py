@@ -140,6 +140,7 @@ def _rubs(rope: Rope, form: str) -> float:
 def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
     n, s = layout.nodes, layout.segments
     a, w = len(scene.anchors), len(scene.winches)
+    k = len(layout.surfaces) if scene.obstacles else 0
     ropes, up = scene.ropes, scene.up
     forms = tuple(map(_form, ropes))
     x = keep("places", _places, layout, forms, up).copy()
@@ -192,7 +193,7 @@ def _ropes(scene: Scene, layout: Layout, keep: Pieces) -> State:
         inner=np.zeros((4, 0)),
         most=np.zeros(a + 1),
         balance=np.zeros(5),
-        peaks=no_peaks(s, n, a) if scene.run.extremes else no_peaks(0, 0, 0),
+        peaks=no_peaks(s, n, a, k) if scene.run.extremes else no_peaks(0, 0, 0),
     )
 
 

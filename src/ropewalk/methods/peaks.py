@@ -15,17 +15,23 @@ import numpy as np
 
 from ropewalk.core.jit import apart, kernel, part, small
 from ropewalk.core.peaks import (
+    BEFORE,
     FORCE,
     GREATEST,
     LEAST,
     LEAST_TENSION,
+    LOOKED,
     LOWEST,
     MOMENT,
     PLACE,
     SINCE,
     SPEED,
+    SQUARE,
+    STEPS,
     UNTIL,
     VALUE,
+    WHEN,
+    WITHIN,
     greater,
     lesser,
 )
@@ -202,6 +208,35 @@ def keep_anchors(system, state, lo=0, hi=ALL):
 
 
 @part
+def keep_pressed(system, state, t):
+    """Look at the force on every obstacle as a step ends, at time `t` [s].
+
+    Unlike all else that is not looked at where an interval begins: that is the end of a step before, or a
+    shape as it is drawn, whose overlap is no load.
+    """
+    if system.rare is not None and state.peaks.pressed.shape[0] > 0:
+        keep_loads(state.memory.obstacle.load, state.peaks.pressed, t)
+
+
+@kernel
+def keep_loads(load, pressed, t):
+    """Hold forces on obstacles (k, 3) [N] against the greatest so far, each step once."""
+    for o in range(load.shape[0]):
+        if t <= pressed[o, LOOKED]:
+            continue
+        a, b, c = load[o, 0], load[o, 1], load[o, 2]
+        new = a * a + b * b + c * c
+        if new > pressed[o, SQUARE]:
+            pressed[o, SQUARE], pressed[o, WHEN], least = new, t, np.inf
+            for k in range(STEPS, STEPS + WITHIN):
+                least = lesser(pressed[o, k], least)
+            pressed[o, BEFORE] = least if least < np.inf else np.nan
+        for k in range(STEPS + WITHIN - 1, STEPS, -1):
+            pressed[o, k] = pressed[o, k - 1]
+        pressed[o, STEPS], pressed[o, LOOKED] = new, t
+
+
+@part
 def keep_springs(system, state, rubs, lo=0, hi=ALL):
     """Look at elastic segments without bounds and winches; `rubs` tells whether any has friction."""
     peaks, lengths, k, floor = state.peaks, state.rest_length, state.stiffness, system.slack_floor
@@ -221,6 +256,7 @@ def keep_step(system, state, rubs, count, t, sums):
     keep_springs(system, state, rubs)
     keep_nodes(system, state)
     keep_anchors(system, state)
+    keep_pressed(system, state, t)
     if count % DEPTH == 0:
         search_all(system, state, t, sums)
 
@@ -248,6 +284,9 @@ def clear_peaks(peaks):
     fill(peaks.square_low, np.inf)
     fill(peaks.reaction, -np.inf)
     fill(peaks.moment, -np.inf)
+    for row in range(peaks.pressed.shape[0]):
+        peaks.pressed[row, SQUARE] = -np.inf
+        peaks.pressed[row, WHEN] = peaks.pressed[row, BEFORE] = np.nan
     for which in range(peaks.found.shape[1]):
         least = which == LEAST_TENSION or which == LOWEST
         peaks.found[VALUE, which] = np.inf if least else -np.inf
@@ -323,3 +362,7 @@ def record_peaks(peaks, frame, out):
         out.reaction_high[frame, row] = root(peaks.reaction[row])
     for row in range(out.moment_high.shape[1]):
         out.moment_high[frame, row] = root(peaks.moment[row])
+    for row in range(out.pressed_high.shape[1]):
+        out.pressed_high[frame, row] = root(peaks.pressed[row, SQUARE])
+        out.pressed_time[frame, row] = peaks.pressed[row, WHEN]
+        out.pressed_before[frame, row] = root(peaks.pressed[row, BEFORE])

@@ -80,6 +80,12 @@ class Recording(NamedTuple):
     joint_force: Floats  # (f, p, 3) force of a joint on each of its nodes [N]
     books: Floats  # (f, k, 5) works of every obstacle, then of ropes on ropes, see `laws.contact_books` [J]
     wheel: Floats  # (f, w, 7) of obstacles that turn freely, see `wheel_rows.RECORDED`
+    # (f, b) greatest force on every surface at the ends of steps since the frame before [N], when [s], and
+    # the least in the three steps before that [N]; of ropes on ropes NaN; b as `books` has them, 0 where
+    # extremes are not wanted
+    pressed_high: Floats
+    pressed_time: Floats
+    pressed_before: Floats
 
     def part(self, start: int, stop: int) -> Recording:
         """Return the frames from `start` to `stop`, views."""
@@ -116,6 +122,7 @@ def make_recording(
         *[(peaks.error.shape[0],)] * 2,
         state.joint_force.shape,
         *surface_shapes(state),
+        *[(peaks.pressed.shape[0],)] * 3,
     ]
     large = [empty((frames, *shape)) for shape in shapes[: len(LARGE)]]
     return Recording(*large, *(np.zeros((frames, *shape)) for shape in shapes[len(LARGE) :]))

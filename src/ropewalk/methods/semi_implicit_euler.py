@@ -28,6 +28,7 @@ from ropewalk.methods.peaks import (
     keep_anchors,
     keep_last,
     keep_nodes,
+    keep_pressed,
     keep_springs,
     wanted,
 )
@@ -146,6 +147,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     move_anchors(system, state, forces, after, dt, middle, point, speed, lo, hi)
     if looks:
         keep_anchors(system, state, lo, hi)
+        keep_pressed(system, state, after)  # where there are obstacles no rope is cut into tiles
     if winds(system, state):
         book_growth(system, state, friction, dt, lo, hi)
     if ledger:

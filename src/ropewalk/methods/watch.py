@@ -22,6 +22,7 @@ from ropewalk.methods.peaks import (
     keep_between,
     keep_live,
     keep_nodes,
+    keep_pressed,
     keep_row,
     wanted,
 )
@@ -47,6 +48,7 @@ def keep_seen(system, state, look, t):
         keep_between(carried, peaks.tension_high, peaks.tension_low, 0, ALL)
     keep_row(look.segments[2], peaks.stretch)
     keep_nodes(system, state)
+    keep_pressed(system, state, t)
     keep_rest(system, state, look, t)
 
 

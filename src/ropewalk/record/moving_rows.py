@@ -48,7 +48,7 @@ class SlideMotion(NamedTuple):
 
 def moving_rows(result: Result) -> dict[str, Any]:
     """Return the rows of pulleys, other obstacles and slides; nothing where there are none."""
-    return _rates(result) | _of_axles(result) | _of_turning(result) | _of_slides(result)
+    return _rates(result) | _of_turning(result) | _of_slides(result)
 
 
 def slide_motion(result: Result, name: str) -> SlideMotion:
@@ -100,19 +100,6 @@ def ran_off_at(result: Result, name: str) -> float:
 def axle_loads(result: Result, frames: range) -> Floats:
     """Return the force of the ropes on each pulley, (frames, pulleys) [N]: see `body_loads`."""
     return body_loads(result, frames, result.layout.pulleys)
-
-
-def _of_axles(result: Result) -> dict[str, Any]:
-    """Return the largest load on the axle of a pulley."""
-    names, title = result.layout.pulleys, "largest load on the axle of a pulley"
-    if not names or "contact_force" not in result.source.names:
-        return {}
-    best, shown = dict[str, tuple[float, str]](), [f"pulley {name!r}" for name in names]
-    for start, stop in _pieces(result, result.good_frames):
-        values = axle_loads(result, range(start, stop))
-        _keep(best, title, values, shown, result.time[start:stop])
-    most, at = best[title]
-    return {f"{title} [N]": most, f"{title} at": f"{at}; its own weight is not in it"}
 
 
 def _rates(result: Result) -> dict[str, Any]:

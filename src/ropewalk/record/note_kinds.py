@@ -36,7 +36,7 @@ from ropewalk.record.limiter_at_rest import rests_beyond
 from ropewalk.record.limiter_note import limiter_note
 from ropewalk.record.margins import both_words, guess_doubt, knot_words
 from ropewalk.record.moment_notes import moment_note
-from ropewalk.record.pressed_rows import pressed_kind
+from ropewalk.record.pressed_rows import pressed_kinds
 from ropewalk.record.quantities import has_rope, rest_length_at_start
 from ropewalk.record.seen_along import accelerated_alike
 from ropewalk.record.speed_note import speed_note
@@ -165,7 +165,7 @@ def kinds(result: Result) -> tuple[str, ...]:
     swings in few steps.
     That is what is said of contacts that brake early, of wraps and of slides: `reach_note`, `coarse_note` and
     `moving_rows` take up to half as long as the run itself, or more. Of forces on several obstacles few
-    frames are looked at, unless an end lands: `pressed_kind`.
+    frames are looked at, unless an end lands: `pressed_kinds`.
     """
     there = set(_kinds(result))
     return tuple(kind for kind in KINDS if kind in there)
@@ -182,7 +182,8 @@ def _kinds(result: Result) -> Iterator[str]:
     else:
         landings = landings_of(result)
         notes = notes_of_extremes(result, found, landings)
-        yield from kinds_in(pressed_kind(result, found["greatest tension"], landings))
+        for told in pressed_kinds(result, found["greatest tension"], landings):
+            yield from kinds_in(told)
     for kind, _ in notes.values():
         yield from kinds_in(kind)
     near = margin(result, found) if UTILISATION in found else None

@@ -1,8 +1,9 @@
-"""The row about the largest force on what stands in the way: an edge, a karabiner, a post."""
+"""The rows about the largest force on what stands in the way: an edge, a post, the axle of a pulley."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -11,46 +12,76 @@ from ropewalk.core.arrays import Floats
 from ropewalk.record.body_loads import body_loads, is_apart, of_nodes
 from ropewalk.record.extremes import SEEN, Extreme
 from ropewalk.record.landings import Landing
+from ropewalk.record.quantities import PRESSED
 from ropewalk.record.too_low import obstacle_too_low
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
-_TITLE = "largest force on an obstacle"
+BODY, AXLE = "largest force on an obstacle", "largest load on the axle of a pulley"
 _FEW = 8  # frames that are looked at for a sweep, those in which nodes are pressed most
+_TOGETHER = "at most: the greatest of each of the ropes that move by themselves, added up"
 
 
 class Pressed(NamedTuple):
-    """The largest force of the ropes on one obstacle that does not turn freely, in recorded frames."""
+    """The largest force of the ropes on one of some obstacles: of every step, or of the recorded frames."""
 
     name: str  # of the obstacle
-    frame: int
+    frame: int  # it was not after this one, and after the one before
     force: float  # [N]
+    time: float  # [s]; NaN: ropes that move by themselves had each their greatest at times of their own
+    before: (
+        float  # [N] the least in the three steps before; NaN where it is of frames, or not known
+    )
+    every_step: bool
+
+    def when(self, result: Result) -> str:
+        """Return when it was, in words, and of what it is the largest."""
+        last = float(result.time[self.frame])
+        if self.every_step and math.isnan(self.time):
+            first = float(result.time[max(self.frame - 1, 0)])
+            return f"t from {first:.6g} to {last:.6g} s, {_TOGETHER}"
+        return f"t = {self.time:.6g} s" + ("" if self.every_step else f", {SEEN}")
 
 
 def pressed_rows(result: Result, tension: Extreme, landings: Sequence[Landing]) -> dict[str, Any]:
-    """Return the largest force of the ropes on one obstacle that does not turn freely; {} without any.
+    """Return the largest force of the ropes on one obstacle that does not turn freely, and on an axle.
 
     `tension` is the run's largest, `landings` those of ropes' ends.
     What a shape as it is drawn presses at the start does not count, as it is no load, unless it is at rest.
     """
-    found = _largest(result, few=False)
-    if found is None:
-        return {}
-    stop = "; of rigid links it may be momentum over a step" if _is_hard(result) else ""
-    at = f"obstacle {found.name!r}, t = {result.time[found.frame]:.6g} s, {SEEN}{stop}"
-    told = {f"{_TITLE} [N]": found.force, f"{_TITLE} at": at}
-    note = _note(result, found, tension, landings)[1]
-    return told | ({"about the largest force on an obstacle": note} if note else {})
+    told: dict[str, Any] = {}
+    for title, names in _named(result).items():
+        found = largest(result, names)
+        if found is None:
+            continue
+        stop = "; of rigid links it may be momentum over a step" if _is_hard(result) else ""
+        noun = "obstacle" if title == BODY else "pulley"
+        weight = "" if title == BODY else "; its own weight is not in it"
+        told[f"{title} [N]"] = found.force
+        told[f"{title} at"] = f"{noun} {found.name!r}, {found.when(result)}{stop}{weight}"
+        if note := _note(result, found, tension, landings)[1]:
+            told[f"about the {title}"] = note
+    return told
 
 
-def pressed_kind(result: Result, tension: Extreme, landings: Sequence[Landing]) -> str:
-    """Return the kind of what `pressed_rows` says of that force, "" of nothing.
+def pressed_kinds(result: Result, tension: Extreme, landings: Sequence[Landing]) -> Iterator[str]:
+    """Yield the kinds of what `pressed_rows` says.
 
-    Of several obstacles, where no end lands, `_FEW` frames are looked at: all take a third of a short run.
+    Of several obstacles in a run that has kept frames alone, where no end lands, `_FEW` frames are looked
+    at: all take a third of a short run.
     """
-    found = _largest(result, few=not landings)
-    return _note(result, found, tension, landings)[0] if found is not None else ""
+    for names in _named(result).values():
+        found = largest(result, names, few=not landings)
+        if found is not None:
+            yield _note(result, found, tension, landings)[0]
+
+
+def _named(result: Result) -> dict[str, list[str]]:
+    """Return the names of obstacles by what a table calls the largest force on them."""
+    pulleys = result.layout.pulleys
+    bodies = [one.name for one in result.scene.obstacles if one.name not in pulleys]
+    return {title: names for title, names in ((BODY, bodies), (AXLE, list(pulleys))) if names}
 
 
 def _note(
@@ -63,18 +94,47 @@ def _note(
         loads: Floats = body_loads(result, range(first, last), [found.name])[:, 0]
         return loads
 
-    return obstacle_too_low(result, found.frame, sizes, tension, landings)
+    return obstacle_too_low(result, found, sizes, tension, landings)
 
 
 def _is_hard(result: Result) -> bool:
     return any(rope.rigid for rope in result.scene.ropes)
 
 
-def _largest(result: Result, *, few: bool) -> Pressed | None:
-    """Return the largest force; None where nothing presses. `few`: of several obstacles in few frames."""
-    names = [one.name for one in result.scene.obstacles if one.name not in result.layout.pulleys]
-    if not names or "contact_force" not in result.source.names:
+def largest(result: Result, names: list[str], *, few: bool = False) -> Pressed | None:
+    """Return the largest force on one of these obstacles; None where nothing presses.
+
+    Of every step where the run has kept that, at the ends of steps. `few`: of several obstacles in few
+    frames, where it has not.
+    """
+    if "contact_force" not in result.source.names:
         return None
+    if PRESSED[0] not in result.source.names:
+        return _of_frames(result, names, few=few)
+    found = _of_steps(result, names)
+    if result.scene.run.start == "at-rest" and result.good_frames:  # no step ends with that one
+        load = body_loads(result, range(1), names)[0]
+        if load.max() > (found.force if found else 0.0):
+            row = int(load.argmax())
+            first = float(result.time[0])
+            return Pressed(names[row], 0, float(load[row]), first, math.nan, True)
+    return found
+
+
+def _of_steps(result: Result, names: list[str]) -> Pressed | None:
+    """Return the largest force of all steps."""
+    rows = [result.layout.surfaces.index(name) for name in names]
+    force, time, before = (result.read(one, 0, result.good_frames)[:, rows] for one in PRESSED)
+    force = np.where(np.isfinite(force), force, 0.0)
+    frame, row = divmod(int(np.argmax(force)), len(rows)) if force.size else (0, 0)
+    if not force.size or not force[frame, row] > 0.0:
+        return None
+    values = float(force[frame, row]), float(time[frame, row]), float(before[frame, row])
+    return Pressed(names[row], frame, *values, True)
+
+
+def _of_frames(result: Result, names: list[str], *, few: bool) -> Pressed | None:
+    """Return the largest force of the recorded frames."""
     first = 0 if result.scene.run.start == "at-rest" else 1
     if result.good_frames <= first:
         return None
@@ -88,7 +148,8 @@ def _largest(result: Result, *, few: bool) -> Pressed | None:
         at, row = divmod(int(np.argmax(loads[skip:])), len(names))
         most = float(loads[at + skip, row])
         if most > (best.force if best else 0.0):
-            best = Pressed(names[row], frames.start + at + skip, most)
+            frame = frames.start + at + skip
+            best = Pressed(names[row], frame, most, float(result.time[frame]), math.nan, False)
     return best
 
 

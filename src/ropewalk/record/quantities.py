@@ -23,6 +23,7 @@ JUMPS = ("limiter", "winch")
 ROPE_CONTACTS, PULLEYS, CONTACT_WORK = "rope_contacts", "pulleys", "contact_work"
 WORKS = ("work", CONTACT_WORK)  # unknown without a ledger
 OBSTACLE_FORCE = "obstacle_force"
+PRESSED = ("greatest_surface_forces", "surface_force_times", "surface_forces_before")
 _OF_BLOCKS = ("pairs", "obstacles")  # fields of `simulation.block.Block`, not of its recording
 
 
@@ -56,6 +57,15 @@ _OF_INTERVALS = tuple(
         ("extreme_places", "extreme", "1", "place of the greatest and least", "extreme_places"),
         ("extreme_since", "extreme", "s", "time after which came the extreme", "extreme_since"),
         ("extreme_until", "extreme", "s", "time until which came the extreme", "extreme_until"),
+        ("greatest_surface_forces", "surface", "N", "greatest force on it", "pressed_high"),
+        ("surface_force_times", "surface", "s", "time of the greatest force on it", "pressed_time"),
+        (
+            "surface_forces_before",
+            "surface",
+            "N",
+            "least force on it just before",
+            "pressed_before",
+        ),
         ("energy_errors", "bound", "J", "least and greatest energy error", "error_range"),
         ("energy_error_times", "bound", "s", "time of the energy error's bound", "error_times"),
     )
@@ -160,12 +170,15 @@ SUMS_ONLY = 5  # until this one nothing of ropes on ropes but the sum of all con
 IN_ONE = 6  # until this one the work of all obstacles was one number
 TOGETHER = 7  # until this one the force of obstacles was not apart from that of ropes
 WEIGHTLESS = 8  # until this one no weight turned what turns freely
+UNPRESSED = 9  # until this one no force on obstacles was kept of the steps between frames
 _OLD_MOTIONS = 6  # of what turns freely, until then
 
 
 def stored(layout: Layout, scene: Scene, version: int) -> tuple[Quantity, ...]:
     """Return the quantities in a run folder of a format."""
     now = recorded(layout, scene)
+    if version <= UNPRESSED:
+        now = tuple(q for q in now if q.name not in PRESSED)
     if version <= TOGETHER:
         now = tuple(q for q in now if q.name != OBSTACLE_FORCE)
     if version <= IN_ONE:
@@ -197,6 +210,8 @@ def recorded(layout: Layout, scene: Scene) -> tuple[Quantity, ...]:
         left_out.add(PULLEYS)
     if not layout.surfaces:
         left_out.add(CONTACT_WORK)
+    if not scene.obstacles:
+        left_out |= set(PRESSED)
     if not scene.lengths_change:
         left_out.add("rest_length")
     if not scene.run.extremes:

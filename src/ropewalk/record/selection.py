@@ -39,6 +39,7 @@ DEFAULT = (
         "contact_work",
         "greatest_reactions",
         "greatest_moments",
+        "greatest_surface_forces",
         "extremes",
         "energy_errors",
     ),

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from ropewalk.record.result import Result
 
 _VALUES = 2_000_000  # numbers read together
-_ALONG = {  # what says of which frame a number is, and for each of its columns whether the greatest counts
+# What says of which frame a number is, and for each of its columns whether the greatest counts, as it does
+# where none are told.
+_ALONG = {
     "extremes": tuple(name not in LEAST for name in EXTREMES),
     "energy_errors": (False, True),
 }
@@ -30,6 +32,8 @@ _RULED = {
     "extreme_until": "extremes",
     "energy_errors": "energy_errors",
     "energy_error_times": "energy_errors",
+    "surface_force_times": "greatest_surface_forces",
+    "surface_forces_before": "greatest_surface_forces",
 }
 #: Of frames in which a segment was no rope at any step, zeros count for nothing beside those where it was.
 _PULLS = ("greatest_tension", "least_tension")
@@ -74,7 +78,7 @@ def _ruled(result: Result, name: str, frames: NDArray[np.int64], first: int) -> 
     count = np.arange(len(ruled))
     rows = np.searchsorted(frames, first + count)
     found = np.empty((len(frames), values.shape[1]))
-    for column, greatest in enumerate(_ALONG[ruling]):
+    for column, greatest in enumerate(_ALONG.get(ruling, (True,) * values.shape[1])):
         number = ruled[:, column] if greatest else -ruled[:, column]
         order = np.lexsort((-count, np.where(np.isnan(number), -np.inf, number), rows))
         last = np.flatnonzero(np.diff(rows[order], append=len(frames)))

@@ -41,8 +41,8 @@ from ropewalk.simulation.block import Block
 if TYPE_CHECKING:
     from ropewalk.record.reader import Stored
 
-FORMAT = 9  # of the run folder
-READABLE = (2, 3, 4, 5, 6, 7, 8, FORMAT)
+FORMAT = 10  # of the run folder
+READABLE = (2, 3, 4, 5, 6, 7, 8, 9, FORMAT)
 CHECKED = 3  # from this format on every chunk has a checksum
 SEALED = 5  # from this one on the rest has, too
 ROOT = "zarr.json"

@@ -32,6 +32,7 @@ from ropewalk.words.percents import percent
 if TYPE_CHECKING:
     from ropewalk.core.arrays import Floats
     from ropewalk.lowering import Plan
+    from ropewalk.record.pressed_rows import Pressed
     from ropewalk.record.result import Result
 
 _LOWER = 0.95  # [1] of what a landing gives at least: less is too low
@@ -113,17 +114,16 @@ def anchor_too_low(
 
 def obstacle_too_low(
     result: Result,
-    frame: int,
+    found: Pressed,
     sizes: Sizes,
     tension: Extreme,
     landings: Sequence[Landing],
 ) -> Told:
-    """Return why the largest of the forces on an obstacle in frames may be too low.
+    """Return why the largest of the forces on an obstacle may be too low.
 
-    `frame` is the one of the largest, `sizes` returns the forces on that obstacle.
+    `sizes` returns the forces on that obstacle in frames.
     """
-    around, plan = sizes(max(frame - 1, 0), frame + 1), result.plan
-    before, most = float(around[0]), float(around[-1])
+    frame, most, plan = found.frame, found.force, result.plan
     landing = max(landings, key=lambda one: one.force, default=None)
     if landing is not None and most < _LOWER * landing.force:
         by = f"{_steps(result)}, or frames between which there are some,"
@@ -132,20 +132,22 @@ def obstacle_too_low(
     stiff = max((one.segment_stiffness * one.segment_length for one in elastic), default=0.0)
     if not most > SLACK * stiff:  # nothing presses
         return "", ""
-    if frame and before < JERK * most and (plan.steps_per_frame > 1 or plan.tolerance is not None):
+    steps = plan.steps_per_frame > 1 or plan.tolerance is not None  # between frames
+    before = most if found.every_step else float(sizes(max(frame - 1, 0), frame + 1)[0])
+    if frame and before < JERK * most and steps:
         share = percent(100.0 * before / most)
         return "force between frames", (
             f"from {share} of it one frame before: between two frames there may be far more; a higher "
             "frame_rate, up to a frame a step, shows it"
         )
-    pressed = np.nan_to_num(result.read(of_nodes(result), frame, frame + 1)[0])
+    pressed = _pressed_about(result, frame)
     if tension.value > 0.0:
         span = result.layout.span(result.layout.rope_of(tension.place)[0])
         if pressed[span.first : span.last + 1].any():
             told = _as_there(result, frame, tension)
             if told[1]:
                 return told
-    if hit := _hit(plan, sizes(max(frame - _HIT, 0), frame + 1)):
+    if hit := _hit(plan, found, sizes):
         return "peak may be wrong", hit
     node, time = int(np.argmax((pressed**2).sum(axis=1))), float(result.time[frame])
     last = result.layout.span(result.layout.rope_of(node)[0]).last
@@ -154,15 +156,27 @@ def obstacle_too_low(
     return "peak may be too low" if lost else "", lost
 
 
-def _hit(plan: Plan, sizes: Floats) -> str:
+def _pressed_about(result: Result, frame: int) -> Floats:
+    """Return the force on every node in a frame (n, 3) [N], or in the one before if there is none."""
+    for there in (frame, frame - 1):
+        pressed: Floats = np.nan_to_num(result.read(of_nodes(result), there, there + 1)[0])
+        if there <= 0 or pressed.any():
+            break
+    return pressed
+
+
+def _hit(plan: Plan, found: Pressed, sizes: Sizes) -> str:
     """Say that what presses a body came within few steps, which may round it off; else "".
 
-    `sizes` are the forces on it [N] in the frames before the largest, and that.
+    `sizes` returns the forces on it [N] in frames, which may be steps.
     """
-    least, most = float(sizes.min()), float(sizes[-1])
-    if plan.tolerance is not None or plan.steps_per_frame > 1 or not least < _STRUCK * most:
+    least, most, steps = found.before, found.force, _HIT
+    if plan.steps_per_frame == 1 and plan.tolerance is None:
+        before = sizes(max(found.frame - _HIT, 0), found.frame + 1)
+        least, steps = float(before.min()), len(before) - 1
+    if plan.tolerance is not None or not least < _STRUCK * most:
         return ""
-    share, steps = percent(100.0 * least / most), len(sizes) - 1
+    share = percent(100.0 * least / most)
     return (
         f"from {share} of it within {steps} steps of {1e3 * plan.dt:.3g} ms: they hardly "
         "resolve what hits there, and it may be too low by a tenth and more; compare it with a run of "

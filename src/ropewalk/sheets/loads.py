@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,11 +17,12 @@ from ropewalk.record.extremes import (
     place_of,
 )
 from ropewalk.record.hard_stops import hard_note
-from ropewalk.record.landings import landings_of
+from ropewalk.record.landings import Landing, landings_of
 from ropewalk.record.margins import Margin, doubt_words, margin_bounds
 from ropewalk.record.moment_notes import moment_note
 from ropewalk.record.moving_rows import moving_rows
 from ropewalk.record.note_kinds import HARD, notes_of_extremes
+from ropewalk.record.pressed_rows import pressed_rows
 from ropewalk.record.tension_notes import anchor_bears
 from ropewalk.record.too_low import margin_too_low, tension_too_low
 from ropewalk.scene.guess import COMPUTE
@@ -220,10 +222,12 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
         if not math.isnan(one.value):
             rows.append((title, _value(one.value, unit), place_of(result, name, one)))
     moving = moving_rows(result)
-    for title, value in moving.items():
+    landings = landings_of(result)
+    pressed = pressed_rows(result, found["greatest tension"], landings)
+    for title, value in (moving | pressed).items():
         bare, _, unit = title.removesuffix("]").partition(" [")
         if unit:
-            rows.append((bare, _value(value, unit), moving[f"{bare} at"]))
+            rows.append((bare, _value(value, unit), (moving | pressed)[f"{bare} at"]))
     items: list[Item] = []
     if result.diagnosis:
         items.append(Text(f"THE RUN BROKE: {result.diagnosis}", warning=True))
@@ -235,14 +239,21 @@ def run_section(result: Result, then: str = COMPUTE) -> Section:
     items.append(Table(("", "value", "where and when"), rows, numbers=False))
     if "about the slides" in moving:
         items.append(Text(moving["about the slides"], warning=True))
-    items += _about_peaks(result, found)
+    items += _about_peaks(result, found, landings)
+    items += [
+        Text(f"{title.removeprefix('about ').capitalize()}: {told}.", warning=True)
+        for title, told in pressed.items()
+        if title.startswith("about ")
+    ]
     items += _anchor_peaks(result) + _utilisation(result, then)
     return Section("The run", tuple(items))
 
 
-def _about_peaks(result: Result, found: dict[str, Extreme]) -> list[Item]:
+def _about_peaks(
+    result: Result, found: dict[str, Extreme], landings: Sequence[Landing]
+) -> list[Item]:
     """Return what is to be said of the largest forces, and of how near to breaking they come, of a run."""
-    notes = notes_of_extremes(result, found, landings_of(result))
+    notes = notes_of_extremes(result, found, landings)
     if HARD in notes:
         return [Text(f"Hard stops: {notes[HARD][1]}.", warning=True)]
     return [
