@@ -27,6 +27,9 @@ class Band(NamedTuple):
     rubs: Floats  # (n - 1,) 1 for segments with friction, 0 for slack tension-only ones
     marks: Floats  # (m, n) those of the laws of nodes: a row each, 1 where it acts
     frozen: Ints  # (1,) 1 where all marks stay during a step, and forces go on smoothly across
+    definite: (
+        Ints  # (1,) 1 where no contact's tangent is to have a negative eigenvalue by what is round
+    )
 
 
 def make_band(nodes: int, second: bool = False, marks: int = 0) -> Band:
@@ -36,7 +39,8 @@ def make_band(nodes: int, second: bool = False, marks: int = 0) -> Band:
     shapes = (near, near, near, beyond, beyond)
     blocks = tuple(np.zeros(shape) for shape in shapes)
     rubs, rows = np.ones(max(nodes - 1, 0)), np.zeros((marks, nodes))
-    return Band._make((*blocks, rubs, rows, np.zeros(1, np.int64)))
+    flags = np.zeros(1, np.int64), np.zeros(1, np.int64)
+    return Band._make((*blocks, rubs, rows, *flags))
 
 
 @kernel

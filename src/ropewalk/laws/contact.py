@@ -39,6 +39,7 @@ from ropewalk.laws.hardening import along_surface, squeezed
 from ropewalk.laws.obstacle_lead import led, mean_speed
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import RUN, first_run, is_out_of_reach
+from ropewalk.laws.obstacle_shapes import PLANE
 from ropewalk.laws.polygon import keep_friction
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
@@ -280,6 +281,27 @@ def presses_anew(force, grip):
             presses = x[i] != 0.0 or y[i] != 0.0 or z[i] != 0.0
             count += 1 if presses and push[i] == 0.0 else 0
     return count
+
+
+@kernel
+def is_round(obstacles):
+    """Tell whether any obstacle is no plane."""
+    count = 0
+    for o in range(obstacles.kind.shape[0]):
+        count += 1 if obstacles.kind[o] != PLANE else 0
+    return count > 0
+
+
+@kernel
+def presses_round(obstacles, force):
+    """Tell whether an obstacle that is no plane presses a node under a force (3 + 6 k, n)."""
+    most = 0.0
+    for o in range(obstacles.kind.shape[0]):
+        if obstacles.kind[o] != PLANE:
+            x, y, z = force[3 + 6 * o], force[4 + 6 * o], force[5 + 6 * o]
+            for i in range(x.shape[0]):
+                most = max(most, abs(x[i]) + abs(y[i]) + abs(z[i]))
+    return most > 0.0
 
 
 @small

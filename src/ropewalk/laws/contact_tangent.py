@@ -6,7 +6,8 @@ With H of the surface, k the slope of R, b = mu R_n, q before it is cut and s = 
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
 The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin, which is
-W where it moves the surface itself.
+W where it moves the surface itself. `Band.definite` leaves - R_n H out: far from the solution, in a ball by
+centimetres, it outweighs a node's inertia a thousand times.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
     """Add -(weight_x dR/dx + weight_v dR/dv) of all contacts to the band's diagonal."""
     diagonal, place, since = band.diagonal, memory.place, now[0] - now[1]
+    by_bend = 0.0 if band.definite[0] == 1 else weight_x
     find_rates(x, v, obstacles, memory, now)
     begin_ties(x, v, obstacles, memory, now)
     for o in range(obstacles.kind.shape[0]):
@@ -79,7 +81,7 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 apart * ny + by_turn * (hy + by_speed * ty) + aside * vH[1],
                 apart * nz + by_turn * (hz + by_speed * tz) + aside * vH[2],
             )
-            bend = -weight_x * push  # R_n H
+            bend = -by_bend * push  # R_n H
             curves = curved(ca, cb, n, a) if bent else ZERO9
             before = load9(diagonal, i)
             block = add(before, press(n, drop, bend, curves))

@@ -60,9 +60,7 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
         work += taken(mean.bending, state.v, stage.v, dt)
     if limits(system):  # a bound may only take energy
         work += min(taken(mean.limiter, state.v, stage.v, dt), 0.0)
-    if couples(
-        system, state
-    ):  # of what touches: what it stores; friction and impacts may only take
+    if couples(system, state):  # what it stores; friction and impacts may only take
         held, holds = coupled_energy(system, state, state.x), coupled_energy(system, state, stage.x)
         given = holds - held + coupled_work(system, mean.node, state.v, stage.v, dt)
         work -= max(given, 0.0)

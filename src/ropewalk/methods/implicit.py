@@ -47,6 +47,7 @@ from ropewalk.methods.part_lengths import (
     MOST_HALVINGS,
     MOST_PARTS,
     begin_parts,
+    carries_beside,
     carries_parts,
     keep_parts,
 )
@@ -69,7 +70,7 @@ from ropewalk.methods.scratch import (
     settle_reaction,
 )
 from ropewalk.methods.stage import Stage, make_stage
-from ropewalk.methods.stage_report import SPLITS, TIME
+from ropewalk.methods.stage_report import PRESSED, SPLITS, TIME
 from ropewalk.methods.starts import Starts, make_starts, take_start
 from ropewalk.methods.tableaus import BDF2, DIRK, GENERALIZED_ALPHA, Tableau
 from ropewalk.methods.wheel_ties import aim_all, has_wheels
@@ -267,7 +268,7 @@ def take_step(
         time, ahead = after if share == 1.0 else t + share * dt, share * dt
         whole = dt if kind == DIRK and s == 0 and b.shape[0] == 2 else 0.0
         status, held, point, speed = UNSOLVED, couples(system, state), scratch.point, scratch.speed
-        # With accelerations and tensions as before; if that fails, none, but not in parts on the way.
+        # With accelerations and tensions as before; if that fails, none, but not in parts or by obstacles.
         twice = not watch or (not held and (level == 0 or has_bending(system)))
         for attempt in range(2 if twice else 1):
             if attempt == 1 or held:  # what is held by contacts may leap at the start
@@ -283,7 +284,7 @@ def take_step(
             elif level == 0 and kind == DIRK:
                 take_start(scratch.starts, s, t, after, dt, stage)
             status = solve_stage(system, state, stage, scratch.windows, c1, c2)
-            if status == OK:
+            if status == OK or (watch and stage.report[PRESSED] == 1.0):
                 break
         if status != OK:
             stage.report[TIME] = time
@@ -326,9 +327,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
     The step is part `place` of 2^level parts; one that finds no solution is halved. Parts grow again after
-    `need` of them, and where the longer one fails it takes twice as many the next time; where ropes heap up,
-    in the next step as well, see `part_lengths`. One that hits something, and the next, are by implicit
-    Euler; one that makes up energy is taken as `halves` says.
+    `need` of them, see `part_lengths`. One that hits something, and the next, are by implicit Euler; one
+    that makes up energy is taken as `halves` says.
     """
     rescue, among_obstacles = scratch.halves[LAST], state.memory.obstacle.grip.shape[0] > 0
     kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
@@ -340,11 +340,12 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         if A[0, 0] == 0.0:  # it begins with the forces at the start; those kept are means
             prepare_links(system, state, t, scratch.stage.saddle)
             state.past[0] = dt
-    carried = is_soft(kind, A) and carries_parts(system, state, dt)
+    fixed = scratch.stage.saddle.band.frozen[0] == 0
+    struck = fixed and state.jolt[0] > 0.0
+    carried = carries_parts(system, state, dt, is_soft(kind, A), struck)
     level, run, need, climbed = begin_parts(state.past, dt, carried)
     place, last, turn = 0, dt, -1
-    fixed = scratch.stage.saddle.band.frozen[0] == 0
-    status = HIT if fixed and state.jolt[0] > 0.0 and not is_soft(kind, A) else OK
+    status = HIT if struck and not is_soft(kind, A) else OK
     while True:
         warm = status == HIT and is_soft(kind, A)
         if status == HIT and fixed:  # its impulse is not to be carried on as a force
@@ -387,6 +388,8 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         else:
             need = min(2 * need, MOST_PARTS) if climbed else need
             level, place, run, climbed = level + 1, 2 * place, 0, False
+    if is_soft(kind, A) and not couples(system, state):
+        carried = carried or carries_beside(system, state, dt)
     keep_parts(state.past, dt, carried and status == OK, level, run, need)
     if status != OK and winds(system, state):  # the state is as it was before the part that failed
         cut_short(system, state, begin, scratch.turning)

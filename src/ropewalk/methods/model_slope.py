@@ -1,4 +1,4 @@
-"""How far to go along a Newton step where ropes touch each other: by the slope of a model.
+"""How far to go along a Newton step where ropes touch each other or a body: by the slope of a model.
 
 The model keeps the rope as it was linearised and lets the laws of nodes decide anew at every trial,
 contacts above all. With f what is out of balance, A the rope's matrix, K that of the laws of nodes, R their
@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.band import clear_band
+from ropewalk.core.band import clear_band, clear_diagonal
 from ropewalk.core.jit import deferred, kernel, part
-from ropewalk.laws.couplings import along_couplings
-from ropewalk.laws.nodes import marked_node_forces, node_tangents
+from ropewalk.laws.couplings import along_couplings, couples
+from ropewalk.laws.nodes import are_local, marked_node_forces, node_tangents
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.wheel_ties import along_wheels, has_wheels
 
@@ -34,7 +34,8 @@ def descent(saddle):
         for i in range(force.shape[1]):
             total += force[k, i] * moved[k, i]
     for j in range(saddle.misfit.shape[0]):
-        pull = saddle.misfit[j] / saddle.compliance[j]
+        e = saddle.compliance[j]
+        pull = saddle.misfit[j] / e if e > 0.0 else saddle.pulled[j]  # a rigid link stores nothing
         for k in range(3):
             total -= pull * direction[k, j] * (moved[k, j + 1] - moved[k, j])
     return total
@@ -55,6 +56,19 @@ def longest_part(moved, rest_length, alive):
 
 
 @kernel
+def along_diagonal(diagonal, d):
+    """Return d . B d of the blocks on the diagonal, for d (3, n)."""
+    total = 0.0
+    for i in range(d.shape[1]):
+        for k in range(3):
+            row = 0.0
+            for m in range(3):
+                row += diagonal[i, 3 * k + m] * d[m, i]
+            total += d[k, i] * row
+    return total
+
+
+@kernel
 def along_band(band, d):
     """Return d . B d of the blocks next to the diagonal, for d (3, n)."""
     total, n = 0.0, d.shape[1]
@@ -69,6 +83,25 @@ def along_band(band, d):
                     row += band.lower1[i - 1, 3 * k + m] * d[m, i - 1]
             total += d[k, i] * row
     return total
+
+
+@part
+def bend_along(system, state, stage, c1):
+    """Return d . K d of the laws of nodes for the Newton step d [J]."""
+    saddle, x, v = stage.saddle, stage.x, stage.v
+    if are_local(system):
+        clear_diagonal(saddle.band)
+        node_tangents(system, state, x, v, 1.0, 1.0 / c1, saddle.band)
+        bend = along_diagonal(saddle.band.diagonal, saddle.moved)
+    else:
+        clear_band(saddle.band)
+        node_tangents(system, state, x, v, 1.0, 1.0 / c1, saddle.band)
+        bend = along_band(saddle.band, saddle.moved)
+    bend += along_couplings(system, state, x, v, saddle.moved, 1.0, 1.0 / c1)
+    if has_wheels(system):
+        held = state.memory.obstacle
+        bend += along_wheels(held.wheel, held.ties, saddle.moved)
+    return bend
 
 
 @kernel
@@ -108,19 +141,15 @@ def follow_model(system, state, stage, c1, exact):
 
     With `exact` that is 0 where the step leads uphill: there is no minimum that way.
     """
-    saddle, x, v = stage.saddle, stage.x, stage.v
+    saddle = stage.saddle
     drop = descent(saddle)
-    most = longest_part(saddle.moved, state.rest_length, stage.segments.alive)
+    most = 1.0
+    if couples(system, state):
+        most = longest_part(saddle.moved, state.rest_length, stage.segments.alive)
     if exact and not drop > 0.0:
         return 0.0
     known = power_along(stage.a, state.mass, saddle.moved)
-    clear_band(saddle.band)
-    node_tangents(system, state, x, v, 1.0, 1.0 / c1, saddle.band)
-    bend = along_band(saddle.band, saddle.moved)
-    bend += along_couplings(system, state, x, v, saddle.moved, 1.0, 1.0 / c1)
-    if has_wheels(system):
-        held = state.memory.obstacle
-        bend += along_wheels(held.wheel, held.ties, saddle.moved)
+    bend = bend_along(system, state, stage, c1)
     low, high, at, side = 0.0, most, 0.0, 0
     low_slope, high_slope, size = -drop, 0.0, most
     for trial in range(TRIALS):

@@ -11,7 +11,7 @@ for positions X, velocities V and the segments' tensions T, by Newton's method o
 from tangled states: a compressed segment's geometric stiffness is held above -0.24 m_j / (c1 c2) far from
 the solution, which keeps the matrix definite; and what begins and ends abruptly is decided in the first
 iterations only. Where no part of a step brings the merit down, in a local minimum of it, a whole one is taken
-with the bends' matrix held definite, too.
+with the bends' matrix held definite, too. From where something presses on, `model_slope` has the search.
 
 Sources: Nocedal & Wright, Numerical Optimization, ch. 11 (line search for equations) and 16 (saddle points);
 Hairer & Wanner, Solving Ordinary Differential Equations II, IV.8 (implementation).
@@ -27,6 +27,7 @@ from ropewalk.core.arrays import Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
+from ropewalk.laws.contact import presses_round
 from ropewalk.laws.couplings import couples
 from ropewalk.laws.inner import begin_inner
 from ropewalk.laws.rare import has_bending, limits
@@ -41,6 +42,7 @@ from ropewalk.methods.stage_report import (
     HISTORY,
     ITERATIONS,
     PAUSED,
+    PRESSED,
     RESIDUAL,
     ROUNDING,
     SOLVES,
@@ -63,6 +65,7 @@ LOOSE = 1e-8  # [1] the same, where rounding stops the descent
 TOUCHING, TOUCHING_AT_MOST = 1e-10, 1e-6
 TOUCHING_ITERATIONS = 25  # without bending: shorter steps take few
 CLOSE_ENOUGH, SOON = 1e-2, 10  # as CLOSE and LATE, where ropes touch
+BESIDE_ENOUGH, BESIDE_SOON, BESIDE_ITERATIONS = 0.1, 40, 40  # where an obstacle presses
 DESCENT = 1e-4  # Armijo's constant
 SHORTEST = 1e-5  # [1] smallest part of a Newton step
 NEAR = 1e-2  # [1] a step that brings the merit down to this part is near the solution
@@ -218,6 +221,14 @@ def finish(v_known, a, free, c2, v):
 
 
 @part
+def presses(system, forces):
+    """Tell whether an obstacle presses a node, one that is no plane: on those alone merits come down."""
+    if system.rare is None or system.node.obstacle.kind.shape[0] == 0:
+        return False
+    return presses_round(system.node.obstacle, forces.node.obstacle)
+
+
+@part
 def begin_solve(system, state, stage, c1, c2):
     """Write what stays the same during a solve."""
     k, segments, saddle = state.stiffness, stage.segments, stage.saddle
@@ -243,13 +254,20 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
     calm, touching, last = not has_bending(system), couples(system, state), np.inf
     most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
     most = AIDED_ITERATIONS if window != 0 else most
+    enough, soon = (CLOSE_ENOUGH, SOON) if touching else (BESIDE_ENOUGH, BESIDE_SOON)
+    report[PRESSED] = 0.0
     late, memory = (LATE, MEMORY) if is_smooth(system, state) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
         accelerate(system, state, stage.forces, stage.a)
         trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
         trial += misfit_merit(saddle.misfit, segments.weight)
-        if not touching and size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
+        watched = not touching and report[PRESSED] == 0.0 and saddle.band.frozen[0] == 0
+        if watched and presses(system, stage.forces):
+            report[PRESSED] = 1.0
+            most = min(most, BESIDE_ITERATIONS) if calm else most
+        by_model = touching or report[PRESSED] == 1.0
+        if not by_model and size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
             before, size = size, shorter_part(size, trial, merit)
             failed = size < SHORTEST
             size = 0.0 if failed else size
@@ -265,10 +283,12 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
         if is_solved(report, TOUCHING if touching else tight):
             break
-        if touching:
-            enough = TOUCHING_AT_MOST if iteration == most else LOOSE
-            if (iteration == most or report[RESIDUAL] > 0.5 * last) and is_solved(report, enough):
-                break
+        if by_model:
+            if iteration == most or report[RESIDUAL] > 0.5 * last:  # rounding has it, or time
+                if not touching:
+                    report[ROUNDING] += rounding_at_last(system, state, stage, c2)
+                if is_solved(report, TOUCHING_AT_MOST if touching and iteration == most else LOOSE):
+                    break
             last = report[RESIDUAL]
         if whole and iteration < most and needs_window(stage, mass, c1 * c2, window):
             keep_course(report, merit, exact, wary, held_back, failed, leaps, leap)
@@ -287,17 +307,19 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             held_back == 1
             and (trial < NEAR * merit or (calm and is_close(report, CLOSE)) or iteration > late)
         )
-        by_now = is_close(report, CLOSE_ENOUGH) or iteration > SOON
-        exact = (by_now if touching else near) and wary <= 0
-        leap = leap or (touching and not exact)
+        by_now = is_close(report, enough) or iteration > soon
+        exact = (by_now if by_model else near) and wary <= 0
+        leap = leap or (by_model and not exact)
+        saddle.band.definite[0] = 1 if by_model and not touching and not exact else 0
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
         report[SOLVES] += 1.0
         if not is_finite(saddle.moved, saddle.pulled):
             find_worst(saddle.force, report)
             return UNSOLVED
-        if touching:
+        if by_model:
             size, iteration = follow_model(system, state, stage, c1, exact), iteration + 1
-            wary = WARY if size == 0.0 else wary
+            failed, wary = False, WARY if size == 0.0 else wary
+            saddle.band.definite[0] = 0
             continue
         move(1.0, c1, x, v, tension, saddle)
         first = iteration + 1 if leap else first

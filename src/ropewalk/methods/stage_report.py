@@ -19,7 +19,8 @@ SHARE = 1e-3  # [1] of the merit's largest density: nodes with less at the ends 
 ITERATIONS, RESIDUAL, NODE, SCALE, MISFIT, SOLVES, SPLITS, TIME, ROUNDING = range(9)
 # Of a solve that has paused: the nodes that are to be solved first, and where it goes on from.
 FIRST, LAST, EXACT, WARINESS, HELD_BACK, FAILED, LEAPS, LEAP, MERIT = range(9, 18)
-QUICK, HISTORY = 18, 19  # how quickly a contact stops what it hits in the last step [1/s]
+# How quickly a contact stops what it hits in the last step [1/s]; 1: an obstacle has pressed in the solve.
+QUICK, PRESSED, HISTORY = 18, 19, 20
 # How a solve begins, or goes on: with or without the aid that it has paused for.
 BEGIN, AIDED, UNAIDED = range(3)
 PAUSED = -1  # beside OK and UNSOLVED
