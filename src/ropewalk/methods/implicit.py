@@ -47,9 +47,9 @@ from ropewalk.methods.part_lengths import (
     MOST_HALVINGS,
     MOST_PARTS,
     begin_parts,
-    carries_beside,
     carries_parts,
     keep_parts,
+    keeps_parts,
 )
 from ropewalk.methods.scratch import (
     Look,
@@ -245,9 +245,8 @@ def take_step(
 ):
     """Take one step from time `t` [s]; return OK, or UNSOLVED, GAINED or HIT with the state as it was.
 
-    It is one of 2^level parts. But for the smallest, one that makes up energy is told, and one that hits
-    something. `warm` begins with the last solution of the same step. `last` [s] is the
-    length of the part before, in the first that of the whole.
+    It is one of 2^level parts. But for the smallest, one that makes up energy or hits something is told.
+    `warm` begins with the last solution of the same step. `last` [s] is the part before, or the whole.
     """
     stage, mean, watch = scratch.stage, scratch.mean, level < MOST_HALVINGS
     begin_step(system, state, stage, mean, dt, last, warm)
@@ -326,9 +325,8 @@ def take_step(
 def step(system, state, scratch, t, after, dt, ledger, tableau):
     """Advance the state by one step of `dt` from time `t` [s]; return OK or UNSOLVED.
 
-    The step is part `place` of 2^level parts; one that finds no solution is halved. Parts grow again after
-    `need` of them, see `part_lengths`. One that hits something, and the next, are by implicit Euler; one
-    that makes up energy is taken as `halves` says.
+    The step is part `place` of 2^level parts; one without solution is halved. For how parts grow again see
+    `part_lengths`, for one that makes up energy `halves`. What hits, and the next, is by implicit Euler.
     """
     rescue, among_obstacles = scratch.halves[LAST], state.memory.obstacle.grip.shape[0] > 0
     kind, A, b, c, numbers = tableau.kind, tableau.A, tableau.b, tableau.c, tableau.numbers
@@ -388,8 +386,7 @@ def step(system, state, scratch, t, after, dt, ledger, tableau):
         else:
             need = min(2 * need, MOST_PARTS) if climbed else need
             level, place, run, climbed = level + 1, 2 * place, 0, False
-    if is_soft(kind, A) and not couples(system, state):
-        carried = carried or carries_beside(system, state, dt)
+    carried = carried or keeps_parts(system, state, dt, is_soft(kind, A))
     keep_parts(state.past, dt, carried and status == OK, level, run, need)
     if status != OK and winds(system, state):  # the state is as it was before the part that failed
         cut_short(system, state, begin, scratch.turning)

@@ -47,6 +47,12 @@ def carries_parts(system, state, dt, soft, struck):
 
 
 @part
+def keeps_parts(system, state, dt, soft):
+    """Tell whether a step that began otherwise leaves parts to the next, as it ended by implicit Euler."""
+    return soft and not couples(system, state) and carries_beside(system, state, dt)
+
+
+@part
 def carries_beside(system, state, dt):
     """Tell whether the parts of the last step go on beside obstacles, one of which is no plane."""
     if state.memory.obstacle.grip.shape[0] == 0 or not is_round(system.node.obstacle):

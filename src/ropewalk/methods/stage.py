@@ -284,22 +284,22 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         if is_solved(report, TOUCHING if touching else tight):
             break
         if by_model:
-            if iteration == most or report[RESIDUAL] > 0.5 * last:  # rounding has it, or time
+            if iteration >= most or report[RESIDUAL] > 0.5 * last:  # rounding has it, or time
                 if not touching:
                     report[ROUNDING] += rounding_at_last(system, state, stage, c2)
-                if is_solved(report, TOUCHING_AT_MOST if touching and iteration == most else LOOSE):
+                if is_solved(report, TOUCHING_AT_MOST if touching and iteration >= most else LOOSE):
                     break
             last = report[RESIDUAL]
         if whole and iteration < most and needs_window(stage, mass, c1 * c2, window):
             keep_course(report, merit, exact, wary, held_back, failed, leaps, leap)
             return PAUSED
         stuck = failed and not exact
-        if stuck or iteration == most:
+        if stuck or iteration >= most:
             report[ROUNDING] += rounding_at_last(system, state, stage, c2)
             if is_solved(report, LOOSE if stuck else TIGHT):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
-        if iteration == most or leaps > MOST_LEAPS:
+        if iteration >= most or leaps > MOST_LEAPS:
             find_worst(saddle.force, report)
             return UNSOLVED
         wary = WARY if failed else wary - 1
