@@ -26,10 +26,9 @@ class Band(NamedTuple):
     lower2: Floats  # row i + 2, column i; (n, 9) or (0, 9)
     rubs: Floats  # (n - 1,) 1 for segments with friction, 0 for slack tension-only ones
     marks: Floats  # (m, n) those of the laws of nodes: a row each, 1 where it acts
+    slips: Floats  # (k, 7, n) or (0, 0, n) slip on obstacles in a solve, see `laws.slips`
     frozen: Ints  # (1,) 1 where all marks stay during a step, and forces go on smoothly across
-    definite: (
-        Ints  # (1,) 1 where no contact's tangent is to have a negative eigenvalue by what is round
-    )
+    definite: Ints  # (1,) 1 where what is round gives no contact's tangent a negative eigenvalue
 
 
 def make_band(nodes: int, second: bool = False, marks: int = 0) -> Band:
@@ -40,7 +39,7 @@ def make_band(nodes: int, second: bool = False, marks: int = 0) -> Band:
     blocks = tuple(np.zeros(shape) for shape in shapes)
     rubs, rows = np.ones(max(nodes - 1, 0)), np.zeros((marks, nodes))
     flags = np.zeros(1, np.int64), np.zeros(1, np.int64)
-    return Band._make((*blocks, rubs, rows, *flags))
+    return Band._make((*blocks, rubs, rows, np.zeros((0, 0, nodes)), *flags))
 
 
 @kernel

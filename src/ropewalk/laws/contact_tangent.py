@@ -5,6 +5,7 @@ With H of the surface, k the slope of R, b = mu R_n, q before it is cut and s = 
     -dq   = k_t P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k_t D - c v
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
+Where ropes touch, s s^T counts less while a node turns in a solve, see `slips`.
 The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin, which is
 W where it moves the surface itself. `Band.definite` leaves - R_n H out: far from the solution, in a ball by
 centimetres, it outweighs a node's inertia a thousand times.
@@ -22,6 +23,7 @@ from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_lead import led
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import RUN, first_run, is_out_of_reach
+from ropewalk.laws.slips import follow_slip
 from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 
@@ -102,7 +104,10 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
                 before = before if whole else block
                 bends = curves, across(ca, cb, n, a, pull) if bent else ZERO3
-                block = add(block, rub(n, bends, pull, bound, mu, drop, own, turning, weight_x))
+                slips = mu, 1.0
+                if band.slips.shape[0] > 0:
+                    slips = mu, follow_slip(band.slips, o, i, n, pull, bound)
+                block = add(block, rub(n, bends, pull, bound, slips, drop, own, turning, weight_x))
             store9(diagonal, i, block)
             if whole or (tied and bound > 0.0):
                 arm, more = (ox, oy, oz), subtract(block, before)
@@ -122,20 +127,21 @@ def press(n, drop, bend, curves):
 
 
 @small
-def rub(n, bends, pull, bound, friction, drop, own, turning, weight_x):
+def rub(n, bends, pull, bound, slips, drop, own, turning, weight_x):
     """Return the derivative of R_t. `pull` is R' - k D - c v, `own` the weighted k_t and c.
 
-    `bends` are H and H pull, `turning` is the weighted c times the surface's angular velocity.
+    `bends` are H and H pull, `turning` is the weighted c times the surface's angular velocity, `slips` are mu
+    and the part of s s^T that counts.
     """
     tx, ty, tz = turning
     curves, wH = bends
     along = n[0] * pull[0] + n[1] * pull[1] + n[2] * pull[2]
     q = (pull[0] - along * n[0], pull[1] - along * n[1], pull[2] - along * n[2])
-    s, cutting = ZERO3, (False, 1.0, friction)
+    s, cutting = ZERO3, (False, 1.0, slips[0], slips[1])
     square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2]
     if not square < SURELY * bound * bound and math.sqrt(square) > bound:
         total = math.sqrt(square)
-        s, cutting = scale3(1.0 / total, q), (True, bound / total, friction)
+        s, cutting = scale3(1.0 / total, q), (True, bound / total, slips[0], slips[1])
     # columns of -dq; c dv is less the surface's velocity w x dx
     e, h = (own, 0.0 - tz, 0.0 + ty), (curves[0], curves[3], curves[6])
     one = column(n, e, h, along, weight_x, wH[0], s, cutting, drop[0])
@@ -153,13 +159,13 @@ def rub(n, bends, pull, bound, friction, drop, own, turning, weight_x):
 @small
 def column(n, e, h, along, weight_x, turns, s, cutting, drop):
     """Return a column of what `rub` does, of one of -dq with neither P nor H in it, and one of H."""
-    slips, share, friction = cutting
+    slips, share, friction, counts = cutting
     lift = n[0] * e[0] + n[1] * e[1] + n[2] * e[2]
     d0 = e[0] - lift * n[0] + weight_x * (along * h[0] + n[0] * turns)
     d1 = e[1] - lift * n[1] + weight_x * (along * h[1] + n[1] * turns)
     d2 = e[2] - lift * n[2] + weight_x * (along * h[2] + n[2] * turns)
     if slips:
-        ahead = s[0] * d0 + s[1] * d1 + s[2] * d2
+        ahead = counts * (s[0] * d0 + s[1] * d1 + s[2] * d2)
         more = friction * drop
         d0 = share * (d0 - ahead * s[0]) + more * s[0]
         d1 = share * (d1 - ahead * s[1]) + more * s[1]

@@ -103,7 +103,7 @@ def make_implicit_scratch(system: System, state: State, tableau: Tableau) -> Imp
     """Return working arrays that fit `state` and the method."""
     rigid = bool(np.isinf(state.stiffness).any()) or state.forces.limiter.size > 0
     most = most_stages(tableau)
-    stage = make_stage(state)
+    stage = make_stage(state, bool(system.node.contact.friction.any()))
     return ImplicitScratch(
         stage=stage,
         windows=make_windows(system, state, stage),

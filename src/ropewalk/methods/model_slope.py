@@ -18,6 +18,8 @@ from ropewalk.core.band import clear_band, clear_diagonal
 from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.couplings import along_couplings, couples
 from ropewalk.laws.nodes import are_local, marked_node_forces, node_tangents
+from ropewalk.laws.pairs.table import LATER
+from ropewalk.laws.slips import keep_slips
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.wheel_ties import along_wheels, has_wheels
 
@@ -150,6 +152,7 @@ def follow_model(system, state, stage, c1, exact):
         return 0.0
     known = power_along(stage.a, state.mass, saddle.moved)
     bend = bend_along(system, state, stage, c1)
+    keep_slips(saddle.band.slips, LATER)
     low, high, at, side = 0.0, most, 0.0, 0
     low_slope, high_slope, size = -drop, 0.0, most
     for trial in range(TRIALS):

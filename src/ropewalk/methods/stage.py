@@ -32,6 +32,7 @@ from ropewalk.laws.couplings import couples
 from ropewalk.laws.inner import begin_inner
 from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.registry import NODE_LAWS
+from ropewalk.laws.slips import ROWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.model_slope import follow_model
@@ -111,8 +112,8 @@ class Stage(NamedTuple):
     report: Floats  # of the last solve, see ITERATIONS to HISTORY; SOLVES and SPLITS add up
 
 
-def make_stage(state: State) -> Stage:
-    """Return working arrays that fit `state`."""
+def make_stage(state: State, watches_slip: bool = False) -> Stage:
+    """Return working arrays that fit `state`; with `watches_slip` those of `laws.slips`, too."""
     s = state.rest_length.shape[0]
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
     forces = blank(state.forces)._replace(applied=state.forces.applied)
@@ -120,6 +121,9 @@ def make_stage(state: State) -> Stage:
     sizes = (*(6 * (s,)), *(4 * (inner,)))
     segments = Segments(*(np.zeros(size) for size in sizes))
     saddle = make_saddle(state.x.shape[1], state.bending_stiffness.shape[0] > 0, len(NODE_LAWS))
+    if watches_slip:
+        slips = np.zeros((state.memory.obstacle.grip.shape[0], ROWS, state.x.shape[1]))
+        saddle = saddle._replace(band=saddle.band._replace(slips=slips))
     known, report = (x_known, v_known), np.zeros(HISTORY + MOST_ITERATIONS + 1)
     return Stage(x, v, np.zeros(s), *known, a, forces, segments, saddle, report)
 

@@ -4,8 +4,11 @@ With b = mu R_n, q before it is cut, s = q/|q| and z the change of the vector be
     -dR_n = (R' n + c n) . dz                           of a contact that presses
     -dR   = n (-dR_n) + (k_t + c_t) P dz                                      where it sticks
             n (-dR_n) + (b/|q|) (k_t + c_t) (P - s s^T) dz + mu s (-dR_n)     where it slips
+where s s^T counts less while a contact turns in a solve, see `laws.slips`,
 and what c_t grows by with the depth, times (P - s s^T) D', less, where it is that of a drag.
 A node whose part of that vector is M = w I + l n^T, w its share and l its lever, gets M^T dR.
+In a solve's first iteration R' is R over the depth beyond the skin: a guess lets ropes go on into each other,
+where R is steep, and by R' each iteration would only halve that depth.
 The last term makes it unsymmetric; without it Newton's method takes two to three times the iterations.
 """
 
@@ -14,13 +17,19 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.blocks import ZERO9, apply, apply_left, dot3, less_product, scale3, scale9
-from ropewalk.core.jit import deferred, small
+from ropewalk.core.jit import deferred, kernel, small
 from ropewalk.core.network import add_block, put_pair
-from ropewalk.laws.pairs.force import drag_of, pressed, pull_of
+from ropewalk.laws.pairs.force import drag_of, pressed, pull_of, squeeze
 from ropewalk.laws.pairs.table import (
+    AGO,
     ASKED,
     CONTACTS,
+    COURSE,
+    FIRST_LOOK,
     FOLLOW,
+    LATER,
+    LAYER,
+    NO_SOLVE,
     NORMAL,
     STIFF,
     apart,
@@ -33,6 +42,15 @@ from ropewalk.laws.pairs.table import (
 
 
 @small
+def chord_less_slope(depth, soft, hard, stop, layer):
+    """Return by how much more R is over the depth than R' beyond the skin [N/m]."""
+    if not depth > layer:
+        return 0.0
+    force, slope, _ = squeeze(depth, soft, hard, stop, layer)
+    return force / depth - slope
+
+
+@small
 def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     """Return the matrix, row by row, that takes a change of `apart` to that of the force, with weights."""
     grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
@@ -42,6 +60,8 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
     push, slope, drag = pressed(grip, row, u, w, soft, hard, stop, ratio * damping, size)
     if not push > 0.0:
         return ZERO9
+    if grip[row, COURSE] == FIRST_LOOK:
+        slope += chord_less_slope(depth_of(grip, row, u, size), soft, hard, stop, LAYER * size)
     n = (grip[row, NORMAL], grip[row, NORMAL + 1], grip[row, NORMAL + 2])
     drop = weight_x * slope + weight_v * drag
     across, steep = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
@@ -57,6 +77,9 @@ def tangent_of(table, memory, row, x, v, weight_x, weight_v):
         share, more, over = bound / total, friction * drop, 1.0 / total
     s0, s1, s2 = over * q[0], over * q[1], over * q[2]
     side, ahead = share * own, -share * own
+    if total > bound and grip[row, COURSE] == LATER:
+        before = (grip[row, AGO], grip[row, AGO + 1], grip[row, AGO + 2])
+        ahead *= 0.5 * (1.0 + s0 * before[0] + s1 * before[1] + s2 * before[2])
     rise, slide = dot3(n, w), s0 * w[0] + s1 * w[1] + s2 * w[2]
     steep *= share * weight_x
     a0, a1, a2 = (
@@ -114,12 +137,30 @@ def couple_pairs(x, v, table, memory, weight_x, weight_v, network):
                 at += 1
 
 
+@kernel
+def note_slip(x, v, table, memory, row):
+    """Keep what a contact holds of what friction can, for the tangent of the next iteration."""
+    grip, i, j = memory.grip, memory.pair[row, 0], memory.pair[row, 1]
+    soft, hard, stop, damping, size = spring_of(table, grip, row, i, j)
+    u, w = apart(x, grip, row, i, j), apart(v, grip, row, i, j)
+    push, _, _ = pressed(grip, row, u, w, soft, hard, stop, table.ratio[0] * damping, size)
+    across, _ = drag_of(grip, row, depth_of(grip, row, u, size), damping, size)
+    q, over = pull_of(grip, row, u, w, across), 0.0
+    if push > 0.0:
+        over = 1.0 / max(rubs_by(table, grip, row, i, j) * push, math.sqrt(dot3(q, q)), 1e-300)
+    grip[row, COURSE] = LATER
+    for k in range(3):
+        grip[row, AGO + k] = over * q[k]
+
+
 @deferred("float64")
 def along_pairs(x, v, d, table, memory, weight_x, weight_v):
-    """Return d . K d of the same matrix [N m], for a direction (3, n) [m]."""
+    """Return d . K d of the same matrix [N m], for a direction (3, n) [m]; last in an iteration."""
     total = 0.0
     for row in range(memory.tally[CONTACTS]):
         m = tangent_of(table, memory, row, x, v, weight_x, weight_v)
         z = apart(d, memory.grip, row, memory.pair[row, 0], memory.pair[row, 1])
         total += dot3(z, apply(m, z))
+        if memory.grip[row, COURSE] != NO_SOLVE:
+            note_slip(x, v, table, memory, row)
     return total

@@ -25,7 +25,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # this step [m], the drag of what closes [N s/m], see `brake`, how deep statics has left it [m],
 # MORE in the step that has led here [m], how fast it closed as the step began, where BRAKE goes with that
 # within the step, else 0 [m/s], of what throws back, one over the mass that its points move as [1/kg], and
-# the spring of one without friction [N/m], see `easing`.
+# the spring of one without friction [N/m], see `easing`; in a solve, what it held of what friction can an
+# iteration ago [1], and whether there was one, see `laws.slips`.
 (
     NORMAL,
     OWN,
@@ -45,6 +46,8 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     CLOSES,
     EASE,
     FOLLOW,
+    AGO,
+    COURSE,
 ) = (
     0,
     3,
@@ -64,9 +67,12 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
     26,
     27,
     28,
+    29,
+    32,
 )
 NEW = -1.0  # in BRAKE: not known yet
-WIDTH = 29
+NO_SOLVE, FIRST_LOOK, LATER = 0.0, 1.0, 2.0  # in COURSE
+WIDTH = 33
 # Places in `Memory.tally`.
 CONTACTS, NEAR, ROUNDS, SEEN, REFUSED, FAULT, FIRST, SECOND, ASKED, SETTLES = range(10)
 PASSED, FULL, CROWDED = 1, 2, 3  # faults
