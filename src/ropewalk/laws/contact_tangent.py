@@ -104,14 +104,11 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
                 turning = (turn * (wx + sweep[0]), turn * (wy + sweep[1]), turn * (wz + sweep[2]))
                 before = before if whole else block
                 bends = curves, across(ca, cb, n, a, pull) if bent else ZERO3
-                slips = mu, 1.0
-                if band.slips.shape[0] > 0:
-                    slips = mu, follow_slip(band.slips, o, i, n, pull, bound)
+                slips = mu, follow_slip(band.slips, o, i, n, pull, bound)
                 block = add(block, rub(n, bends, pull, bound, slips, drop, own, turning, weight_x))
             store9(diagonal, i, block)
             if whole or (tied and bound > 0.0):
-                arm, more = (ox, oy, oz), subtract(block, before)
-                presses = push if whole else 0.0
+                arm, more, presses = (ox, oy, oz), subtract(block, before), push if whole else 0.0
                 write_row(obstacles, memory, o, i, arm, n, presses, pull, bound, more, weight_x)
 
 

@@ -34,6 +34,8 @@ def settled(p, before, course):
 @small
 def follow_slip(slips, o, i, n, pull, bound):
     """Return h of node i on obstacle o, and note its p; `pull` is q, with what lies along the normal n."""
+    if slips.shape[0] == 0:
+        return 1.0
     along = dot3(n, pull)
     q = (pull[0] - along * n[0], pull[1] - along * n[1], pull[2] - along * n[2])
     over = 1.0 / max(math.sqrt(dot3(q, q)), bound)

@@ -152,7 +152,8 @@ def follow_model(system, state, stage, c1, exact):
         return 0.0
     known = power_along(stage.a, state.mass, saddle.moved)
     bend = bend_along(system, state, stage, c1)
-    keep_slips(saddle.band.slips, LATER)
+    if couples(system, state):
+        keep_slips(saddle.band.slips, LATER)
     low, high, at, side = 0.0, most, 0.0, 0
     low_slope, high_slope, size = -drop, 0.0, most
     for trial in range(TRIALS):

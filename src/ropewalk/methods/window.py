@@ -15,6 +15,7 @@ import numpy as np
 from ropewalk.core.arrays import TENSION_ONLY, Floats, State, System
 from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import OK
+from ropewalk.laws.couplings import couples
 from ropewalk.laws.pairs.table import FIRST_LOOK, NO_SOLVE
 from ropewalk.laws.slips import set_course
 from ropewalk.methods.stage import Stage, make_stage, newton
@@ -157,13 +158,16 @@ def widest(windows, state):
 def solve_stage(system, state, stage, windows, c1, c2):
     """Solve the stage as `stage.newton` does, with windows where that pauses; return OK or UNSOLVED."""
     slips = stage.saddle.band.slips
-    set_course(state, slips, FIRST_LOOK)
+    touching = couples(system, state)
+    if touching:
+        set_course(state, slips, FIRST_LOOK)
     most, aid, aids = widest(windows, state), BEGIN, 0
     while True:
         window = most if aids < MOST_AIDS else -most
         status = newton(system, state, stage, c1, c2, TIGHT, window, aid)
         if windows is None or status != PAUSED:
-            set_course(state, slips, NO_SOLVE)
+            if touching:
+                set_course(state, slips, NO_SOLVE)
             return status
         nodes, aids = stage.report[LAST] - stage.report[FIRST], aids + 1
         if nodes < SMALL - 2 * MARGIN:
