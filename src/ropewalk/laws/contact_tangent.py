@@ -75,8 +75,7 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             hx, hy, hz = swept(vH[0], vH[1], vH[2], sweep, nx, ny, nz)  # - n . (W x dx)
             # -dR_n = drop . (weighted step)
             apart = weight_x * (k + damper * by_gap) + weight_v * damper
-            aside = damper * (weight_x * by_place + weight_v * by_speed)
-            by_turn = weight_x * damper
+            by_turn, aside = weight_x * damper, damper * (weight_x * by_place + weight_v * by_speed)
             tx, ty, tz = swept(0.0, 0.0, 0.0, sweep, vH[0], vH[1], vH[2])
             drop = (
                 apart * nx + by_turn * (hx + by_speed * tx) + aside * vH[0],
