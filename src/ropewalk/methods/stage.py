@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Forces, State, blank
-from ropewalk.core.jit import kernel, part
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
 from ropewalk.laws.contact import presses_round
@@ -225,11 +225,43 @@ def finish(v_known, a, free, c2, v):
 
 
 @part
-def presses(system, forces):
-    """Tell whether an obstacle presses a node, one that is no plane: on those alone merits come down."""
-    if system.rare is None or system.node.obstacle.kind.shape[0] == 0:
+def comes_to_press(system, stage):
+    """Note where an obstacle presses from now on; tell whether it does so, and did not before in the solve.
+
+    One that is no plane: on planes alone merits come down. Steps that follow contacts are short.
+    """
+    if system.rare is None or stage.saddle.band.frozen[0] == 1 or stage.report[PRESSED] == 1.0:
         return False
-    return presses_round(system.node.obstacle, forces.node.obstacle)
+    if presses_round(system.node.obstacle, stage.forces.node.obstacle):
+        stage.report[PRESSED] = 1.0
+    return stage.report[PRESSED] == 1.0
+
+
+@small
+def most_iterations(heaps, window):
+    """Return after how many iterations a solve is given up; `heaps` are of ropes without bending."""
+    if window != 0:
+        return AIDED_ITERATIONS
+    return TOUCHING_ITERATIONS if heaps else MOST_ITERATIONS
+
+
+@small
+def is_close_by_model(report, touching, iteration):
+    """Tell whether the solution counts as near where `model_slope` has the search."""
+    if touching:
+        return is_close(report, CLOSE_ENOUGH) or iteration > SOON
+    return is_close(report, BESIDE_ENOUGH) or iteration > BESIDE_SOON
+
+
+@part
+def is_all_done(system, state, stage, c2, touching, at_last, last):
+    """Tell whether a solve has what rounding leaves of it: the residual hardly falls from `last` [N]."""
+    report = stage.report
+    if not at_last and report[RESIDUAL] <= 0.5 * last:
+        return False
+    if not touching:
+        report[ROUNDING] += rounding_at_last(system, state, stage, c2)
+    return is_solved(report, TOUCHING_AT_MOST if touching and at_last else LOOSE)
 
 
 @part
@@ -256,20 +288,15 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
     iteration, merit, exact, wary, held_back, failed, leaps, leap = take_course(report, aid)
     size, bar, first, whole = 0.0, np.inf, iteration, False
     calm, touching, last = not has_bending(system), couples(system, state), np.inf
-    most = TOUCHING_ITERATIONS if touching and calm else MOST_ITERATIONS
-    most = AIDED_ITERATIONS if window != 0 else most
-    enough, soon = (CLOSE_ENOUGH, SOON) if touching else (BESIDE_ENOUGH, BESIDE_SOON)
-    report[PRESSED] = 0.0
+    most, report[PRESSED] = most_iterations(touching and calm, window), 0.0
     late, memory = (LATE, MEMORY) if is_smooth(system, state) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
         evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
         accelerate(system, state, stage.forces, stage.a)
         trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
         trial += misfit_merit(saddle.misfit, segments.weight)
-        watched = not touching and report[PRESSED] == 0.0 and saddle.band.frozen[0] == 0
-        if watched and presses(system, stage.forces):
-            report[PRESSED] = 1.0
-            most = min(most, BESIDE_ITERATIONS) if calm else most
+        if not touching and comes_to_press(system, stage) and calm:
+            most = min(most, BESIDE_ITERATIONS)
         by_model = touching or report[PRESSED] == 1.0
         if not by_model and size > 0.0 and not trial <= (1.0 - DESCENT * size) * bar:
             before, size = size, shorter_part(size, trial, merit)
@@ -288,11 +315,8 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         if is_solved(report, TOUCHING if touching else tight):
             break
         if by_model:
-            if iteration >= most or report[RESIDUAL] > 0.5 * last:  # rounding has it, or time
-                if not touching:
-                    report[ROUNDING] += rounding_at_last(system, state, stage, c2)
-                if is_solved(report, TOUCHING_AT_MOST if touching and iteration >= most else LOOSE):
-                    break
+            if is_all_done(system, state, stage, c2, touching, iteration >= most, last):
+                break
             last = report[RESIDUAL]
         if whole and iteration < most and needs_window(stage, mass, c1 * c2, window):
             keep_course(report, merit, exact, wary, held_back, failed, leaps, leap)
@@ -307,11 +331,9 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             find_worst(saddle.force, report)
             return UNSOLVED
         wary = WARY if failed else wary - 1
-        near = exact or (
-            held_back == 1
-            and (trial < NEAR * merit or (calm and is_close(report, CLOSE)) or iteration > late)
-        )
-        by_now = is_close(report, enough) or iteration > soon
+        close = trial < NEAR * merit or (calm and is_close(report, CLOSE)) or iteration > late
+        near = exact or (held_back == 1 and close)
+        by_now = is_close_by_model(report, touching, iteration)
         exact = (by_now if by_model else near) and wary <= 0
         leap = leap or (by_model and not exact)
         saddle.band.definite[0] = 1 if by_model and not touching and not exact else 0
@@ -323,7 +345,6 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         if by_model:
             size, iteration = follow_model(system, state, stage, c1, exact), iteration + 1
             failed, wary = False, WARY if size == 0.0 else wary
-            saddle.band.definite[0] = 0
             continue
         move(1.0, c1, x, v, tension, saddle)
         first = iteration + 1 if leap else first
