@@ -49,7 +49,10 @@ def depths(body: Any, result: Any, good: int) -> np.ndarray:
 
 
 def holds(scene: Scene) -> None:
-    """A run ends or says why not, frames are finite, books close, and no node goes too deep, or unsaid."""
+    """A run ends or says why not, frames are finite, books close, and no node goes too deep, or unsaid.
+
+    To the first end of a rope, where others went on.
+    """
     try:
         simulation = Simulation(scene)
     except SceneError as error:
@@ -58,7 +61,8 @@ def holds(scene: Scene) -> None:
         return
     assume(simulation.plan.steps <= MOST_STEPS)
     result = simulate_in_memory(scene)
-    good = result.good_frames
+    good = min([result.good_frames, *(end.frames for end in result.ends)])
+    assert all(end.why for end in result.ends)
     assert result.status in ("finished", "broke")
     assert (result.status == "finished") == (result.diagnosis == "")
     for name in ("positions", "velocities", "tension"):

@@ -1,4 +1,4 @@
-"""Ropes that may touch, but have nothing near them, move as those that may not, to the bits."""
+"""Ropes that may touch, but have nothing near them, move as those that may not, to the bits (from 256 nodes on without windows)."""
 
 from __future__ import annotations
 

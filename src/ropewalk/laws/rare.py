@@ -2,7 +2,8 @@
 
 Every method is compiled in two variants. `System.rare` is None where none of these laws acts, and by its
 type all that asks here is left out of the kernels when they are compiled; else it is 1, and the tables
-tell. Both give the same bits.
+tell. Both give the same bits, but where long ropes have windows, see `methods.window`: those with none of
+these laws alone.
 """
 
 from __future__ import annotations
