@@ -123,7 +123,7 @@ def test_that_takes_fewer_solutions(heaped: tuple[Simulation, Snapshot]) -> None
 
 @pytest.mark.slow
 def test_so_it_does_where_a_rope_with_bending_is_fed() -> None:
-    """A stiff one, with few contacts, from its start on; by little since fewer whole steps fail (decision 124)."""
+    """A stiff one, with few contacts, from its start on; by little since decision 124 (few steps fail)."""
 
     def solutions(forgets: bool) -> float:
         simulation = Simulation(fed(100, 1e6, 1e-6, 0.4))

@@ -1,4 +1,4 @@
-"""Ropes that may touch, but have nothing near them, move as those that may not, to the bits (from 256 nodes on without windows)."""
+"""Ropes of up to 255 nodes that may touch, but have nothing near, move as those that may not, to the bits."""
 
 from __future__ import annotations
 
