@@ -382,6 +382,7 @@ def test_of_several_obstacles_at_a_node_slipping_shows_first(
         slip=np.array([[1.0, 0, 0], *[[0.0, 0, 0]] * 3]),
         cone=np.full(count, 0.3),
         off=np.zeros(count),
+        given=np.full(count, 0.3),
     )
     monkeypatch.setattr(contacts, "each_frame", lambda result, frames: [(0, made)])
     modes = contacts.contact_modes(result, [0])[0]

@@ -17,14 +17,14 @@ from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.laws.obstacle_pose import rates_of
 from ropewalk.laws.polygon import pulls_ahead, tilted, turned_by
+from ropewalk.lowering.splitting import split, that_slide
+from ropewalk.lowering.wedging import held_along
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
-_PARALLEL = 1e-9  # [1] least of A's eigenvalues over the largest, below which surfaces are parallel
-_SPLITS = 100  # times that friction is split among the surfaces that a node touches, until none has too much
 STILL = 1e-6  # [m/s] a contact that moves less does not
 
 _Row = tuple[
-    int, int, Floats, float, float, Floats, float, float, float
+    int, int, Floats, float, float, Floats, float, float, float, Floats, float
 ]  # in the order that `_shared` reads
 
 
@@ -43,6 +43,7 @@ class Contacts(NamedTuple):
     # tan p and e [rad] of `laws.polygon`, (c,): friction is tan(p + c e), c as the rope pulls
     cone: Floats
     off: Floats
+    given: Floats  # (c,) coefficient of friction of the rope on the obstacle, of an arc [1]
 
     @property
     def use(self) -> Floats:
@@ -62,11 +63,18 @@ class Contacts(NamedTuple):
 
         exp of the sum of sqrt((mu a)^2 - b^2), `friction` mu, a the turn towards the surface and b that
         within it: the rope presses with T a and needs T b across, which friction lacks along it. On a drum
-        that is exp(mu theta). A node that friction does not hold across adds nothing. With a share of that,
-        see `using`, it is the same power of it: ln(ratio) / ln(ratio at slip) is taken. See `statics.wraps`.
+        that is exp(mu theta). A node that friction does not hold across adds nothing, one on several
+        surfaces what they do together, see `held_along`. With a share of that, see `using`, it is the same
+        power of it: ln(ratio) / ln(ratio at slip) is taken. See `statics.wraps`.
         """
         spare = (friction * self.turn[rows]) ** 2 - self.aside[rows] ** 2
-        return float(np.exp(np.sqrt(np.maximum(spare, 0.0)).sum()))
+        spare = np.sqrt(np.maximum(spare, 0.0))
+        beside = np.bincount(self.node)[self.node[rows]] > 1 if rows.size else np.zeros(0, bool)
+        for row in np.flatnonzero(beside):
+            all_of = np.flatnonzero(self.node == self.node[rows[row]])
+            parts = (part[all_of] for part in (self.normal, self.given, self.turn, self.aside))
+            spare[row] = held_along(*parts)
+        return float(np.exp(spare.sum()))
 
     def using(self, share: float) -> Contacts:
         """Return the same contacts with a share [1] of what friction has along the rope, as of `at_slip`.
@@ -110,7 +118,7 @@ def contacts_at(
     """Return the contacts of nodes at places `x` with velocities `v`, (3, n) [m, m/s], at time `t` [s].
 
     `force` (3, n) [N] is that of all obstacles on every node, `stiffness` (s,) that of the segments [N/m].
-    Where a node touches several, each has friction along its own surface, see `_split`. With `only` some
+    Where a node touches several, each has friction along its own surface, see `splitting`. With `only` some
     obstacles, those of nodes that may touch one of them.
     For `span` see `within_reach`.
     """
@@ -130,15 +138,26 @@ def contacts_at(
             continue
         probed = (*direction, ax, ay, az, ca, cb)
         turn, cone, off, _ = turned_by(x, x, table, o, i, probed, 0.0, stiffness)
-        along = over[o, j] - normal * (normal @ over[o, j])
+        along, mu = over[o, j] - normal * (normal @ over[o, j]), float(table.friction[o, i])
         aside = turn_within(x, i, normal) if turn > 0.0 else 0.0
-        rows.append((o, i, normal, push, cone, along, turn, aside, off))
+        rows.append((o, i, normal, push, cone, along, turn, aside, off, over[o, j], mu))
     found = _shared(rows, force)
+    _tilt(found, x)
+    several = _several(found)
+    if (
+        several.size and found.off.any()
+    ):  # of what polygons have once it is known which way each rubs
+        _split_at(found, several, np.array([row[9] for row in rows]), force)
+        _tilt(found, x)
+    return found
+
+
+def _tilt(found: Contacts, x: Floats) -> None:
+    """Put the coefficients of friction of nodes that act as arcs, the way they rub."""
     for row in np.flatnonzero(found.off).tolist():
         i, normal, rub = int(found.node[row]), found.normal[row], found.rub[row]
         ahead = pulls_ahead(x, i, *normal.tolist(), *rub.tolist())
         found.friction[row] = tilted(float(found.cone[row]), float(found.off[row]), ahead)
-    return found
 
 
 def turn_within(x: Floats, i: int, normal: Floats) -> float:
@@ -223,10 +242,7 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
     share = np.divide(most, able[node], out=np.zeros(count), where=able[node] > 0.0)
     rub = share[:, None] * rest[node]
     rub -= (rub * normal).sum(axis=1)[:, None] * normal
-    for i in np.flatnonzero(np.bincount(node[most > 0.0], minlength=1) > 1):
-        here = np.flatnonzero(node == i)
-        rub[here] = _split(normal[here], most[here], rest[i])
-    return Contacts(
+    found = Contacts(
         obstacle=np.array([row[0] for row in rows], np.int64),
         node=node,
         normal=normal,
@@ -238,25 +254,22 @@ def _shared(rows: list[_Row], force: Floats) -> Contacts:
         slip=np.array([row[5] for row in rows]).reshape(count, 3),
         cone=friction.copy(),
         off=np.array([row[8] for row in rows], np.float64),
+        given=np.array([row[10] for row in rows], np.float64),
     )
-
-
-def _split(normal: Floats, most: Floats, rest: Floats) -> Floats:
-    """Return the friction of c contacts at one node, (c, 3) [N], each along its surface, `rest` (3,) in all.
-
-    Of all that add up to it those with the least sum of |R_t|^2 / (mu R_n): with l from A l = rest, A the sum
-    of mu R_n P, P = I - n n^T, they are mu R_n P l. Across a groove there is but one, along it each has what
-    its own could carry at most. Which of them it is, springs that stick alone know; none carries more than
-    mu R_n, and where one of these does, it counts for less until it does not.
-    """
-    weight = most.copy()
-    for _ in range(_SPLITS):
-        along = weight[:, None, None] * (np.eye(3) - normal[:, :, None] * normal[:, None, :])
-        found: Floats = along @ (
-            np.linalg.pinv(along.sum(axis=0), rcond=_PARALLEL, hermitian=True) @ rest
-        )
-        over = np.linalg.norm(found, axis=1) / np.where(most > 0.0, most, np.inf)
-        if over.max() <= 1.0 + _PARALLEL:
-            break
-        weight /= np.maximum(over, 1.0) ** 2
+    _split_at(found, _several(found), np.array([row[9] for row in rows]), force)
     return found
+
+
+def _several(found: Contacts) -> Ints:
+    """Return the nodes that more than one surface rubs."""
+    return np.flatnonzero(np.bincount(found.node[found.friction * found.push > 0.0]) > 1)
+
+
+def _split_at(found: Contacts, nodes: Ints, over: Floats, force: Floats) -> None:
+    """Put what rubs at nodes on several surfaces; `over` (c, 3) are velocities over them, none taken off."""
+    for i in nodes.tolist():
+        here = np.flatnonzero(found.node == i)
+        normal, push, slip = found.normal[here], found.push[here], found.slip[here]
+        slides = that_slide(slip, over[here], STILL)
+        rest, most = force[:, i] - push @ normal, found.friction[here] * push
+        found.rub[here] = split(normal, most, rest, slip, slides)

@@ -10,6 +10,7 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.lowering.touching import Contacts
+from ropewalk.lowering.wedging import pressing
 
 
 def as_of_one(contacts: Contacts, force: Floats) -> Contacts:
@@ -35,21 +36,6 @@ def as_of_one(contacts: Contacts, force: Floats) -> Contacts:
     return contacts._replace(
         normal=normal, push=push, rub=rub, cone=cone, off=off, aside=aside, friction=friction
     )
-
-
-def pressing(normals: Floats, force: Floats) -> Floats:
-    """Return normal forces, none below 0, (c,) [N], that come as near as they can to a force (3,) [N].
-
-    Along `normals` (c, 3): by least squares, without those that would pull.
-    """
-    found, left = np.zeros(len(normals)), np.arange(len(normals))
-    while left.size:
-        tried = np.linalg.lstsq(normals[left].T, force, rcond=None)[0]
-        if tried.min() >= 0.0:
-            found[left] = tried
-            break
-        left = np.delete(left, tried.argmin())
-    return found
 
 
 def beside(contacts: Contacts, rows: Ints) -> list[int]:
