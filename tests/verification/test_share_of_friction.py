@@ -5,6 +5,7 @@ Of a rope without weight on a drum that is ln(ratio of tensions) / (mu angle).
 
 from __future__ import annotations
 
+import itertools
 import math
 
 import numpy as np
@@ -119,7 +120,128 @@ def test_what_friction_holds_is_of_the_shape_as_it_lies(aside: float) -> None:
     if aside:
         assert wrap.most < 0.8 * capstan
         assert "in this shape" in wrap.words
-        assert "that may widen towards 3.9 N to 25." in wrap.words
+        assert "that may widen towards 3.89 N to 25.7 N" in wrap.words
     else:
         assert wrap.most == pytest.approx(capstan, rel=0.01)
         assert "in this shape" not in wrap.words
+
+
+def test_a_helix_may_hold_what_its_whole_way_round_holds() -> None:
+    """It turned by 489 degrees, 540 once it had slipped sideways: 16.7 N were told, and 20 N came to rest."""
+    turns, pitch, mu, before = 1.5, 0.2, 0.3, 1.261
+    angles = np.linspace(0.0, turns * 2.0 * math.pi, 73)
+    out = 0.055 * 1.004
+    helix = [(out * math.cos(a), pitch * a / math.tau, out * math.sin(a)) for a in angles]
+    x, y, z = helix[-1]
+    points = [(out, 0.0, -1.2), *helix, (x, y, z - 1.2)]
+    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
+    rope = rw.Rope(
+        segments=int(length / 0.01),
+        length=length,
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=2e-3, axial_damping=20.0),
+        shape={"kind": "polyline", "points": points},
+        loads=[{"node": 0, "mass": before / 9.81}, {"node": -1, "mass": 9.0 / 9.81}],
+    )
+    drum = rw.Cylinder(start=(0, -1, 0), end=(0, 1, 0), radius=0.05, friction=mu)
+    (wrap,) = static_shape(rw.Scene(ropes=[rope], obstacles=[drum])).wraps
+    capstan = math.exp(mu * turns * math.tau)
+    assert wrap.angle < math.radians(500.0)
+    assert wrap.wider * wrap.most == pytest.approx(wrap.before * capstan, rel=0.02)
+    assert wrap.least / wrap.wider == pytest.approx(wrap.before / capstan, rel=0.02)
+    assert not wrap.beyond
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.5])
+def test_a_rope_along_a_helix_turns_by_no_more(angle: float) -> None:
+    """The twin: what comes and goes along it needs nothing across, and slipping sideways changes nothing."""
+    radius, count, turns, pull, mu = 0.014, 48, 1.0, 10.0, 0.3
+    a = np.linspace(0.0, turns * math.tau, count + 1)
+    helix = np.stack([radius * a * math.tan(angle), radius * np.cos(a), radius * np.sin(a)], axis=1)
+    into, out = helix[1] - helix[0], helix[-1] - helix[-2]
+    step = float(np.linalg.norm(into))
+    tail = np.arange(1, 41)[:, None]
+    points = np.concatenate([helix[0] - tail[::-1] * into, helix, helix[-1] + tail * out])
+    rope = rw.Rope(
+        segments=len(points) - 1,
+        length=step * (len(points) - 1),
+        diameter=0.008,
+        made_of=rw.Material(EA=1e5, mass_per_length=0.02, axial_damping=10.0),
+        shape={"kind": "points", "points": points.tolist()},
+        forces=[
+            {"node": 0, "force": (-pull * into / step).tolist()},
+            {"node": -1, "force": (1.2 * pull * out / step).tolist()},
+        ],
+    )
+    bar = rw.Cylinder(start=(-1, 0, 0), end=(1, 0, 0), radius=0.01, friction=mu)
+    (wrap,) = static_shape(rw.Scene(gravity=(0, 0, 0), ropes=[rope], obstacles=[bar])).wraps
+    assert wrap.most == pytest.approx(pull * math.exp(mu * wrap.angle), rel=0.02)
+    assert wrap.wider < 1.02
+    assert "sideways" not in wrap.words
+
+
+def test_no_interval_widens_in_a_groove() -> None:
+    """Between two balls a rope cannot slip sideways: 35.5 N were told, where it slides from 21.1 N on."""
+    radius, apart, mu = 0.1, 0.06, 0.2
+    out = math.sqrt(0.105**2 - apart**2)
+    bend = np.linspace(0.0, math.pi, 41)
+    arc = [(-1.01 * out * math.cos(a), 0.0, 1.01 * out * math.sin(a)) for a in bend]
+    points = [(arc[0][0], 0.0, -0.3), *arc, (arc[-1][0], 0.0, -0.3)]
+    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
+    rope = rw.Rope(
+        segments=int(length / 0.012),
+        length=length,
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=1e-3, axial_damping=20.0),
+        shape={"kind": "polyline", "points": points},
+        loads=[{"node": 0, "mass": 1.0}, {"node": -1, "mass": 1.5}],
+    )
+    balls = [rw.Sphere(center=(0, y, 0), radius=radius, friction=mu) for y in (-apart, apart)]
+    for wrap in static_shape(rw.Scene(ropes=[rope], obstacles=balls)).wraps:
+        limit = math.exp(mu * math.pi / math.sqrt(1.0 - (apart / 0.105) ** 2))
+        assert wrap.most / wrap.before == pytest.approx(limit, rel=0.01)
+        assert wrap.wider == pytest.approx(1.0)
+        assert "sideways" not in wrap.words
+
+
+def over_drum(name: str, around: float, mass: float) -> rw.Rope:
+    """A rope over a drum, at a radius [m], with a mass at its end [kg]."""
+    bend = np.linspace(0.0, math.pi, 25)
+    arc = [(-around * math.cos(a), 0.0, around * math.sin(a)) for a in bend]
+    points = [(-around, 0.0, -0.3), *arc, (around, 0.0, -0.3)]
+    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
+    return rw.Rope(
+        name=name,
+        segments=int(length / 0.012),
+        length=length,
+        diameter=0.01,
+        made_of=rw.Material(EA=2e4, mass_per_length=0.01, axial_damping=20.0),
+        shape={"kind": "polyline", "points": points},
+        loads=[{"node": -1, "mass": mass}],
+    )
+
+
+@pytest.mark.parametrize("covered", [True, False])
+def test_no_interval_is_told_where_another_rope_presses(covered: bool) -> None:
+    """Its friction holds, too: up to 9.9 N were told after 14.8 N before, and 29.8 N were held."""
+    ropes = [over_drum("a", 0.0555, 1.0)]
+    if covered:
+        ropes.append(over_drum("b", 0.066, 3.0))
+    drum = rw.Cylinder(name="drum", start=(0, -0.2, 0), end=(0, 0.2, 0), radius=0.05, friction=0.2)
+    scene = rw.Scene(
+        ropes=ropes,
+        anchors=[rw.Anchor(node=0, rope=rope.name) for rope in ropes],
+        obstacles=[drum],
+        contact=rw.Contact(friction=0.3),
+    )
+    (wrap,) = static_shape(scene).wraps
+    if covered:  # the upper one presses with T1 + T2 and more, as it is curved more widely
+        assert math.isnan(wrap.most)
+        assert math.isnan(wrap.share)
+        assert wrap.ropes > 2.0 * 3.0 * 9.81
+        assert f"ropes press on it there with {wrap.ropes:.4g} N" in wrap.words
+        assert "before and" in wrap.words
+    else:
+        assert wrap.ropes == 0.0
+        assert wrap.most == pytest.approx(wrap.before * math.exp(0.2 * math.pi), rel=0.02)
+        assert "press" not in wrap.words

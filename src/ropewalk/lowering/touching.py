@@ -22,6 +22,7 @@ from ropewalk.lowering.wedging import held_along
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 STILL = 1e-6  # [m/s] a contact that moves less does not
+PRESSED = 0.01  # of what a rope presses on an obstacle, beyond which ropes on it count as what holds it [1]
 
 _Row = tuple[
     int, int, Floats, float, float, Floats, float, float, float, Floats, float

@@ -9,13 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Ints
+from ropewalk.lowering.touching import PRESSED
 from ropewalk.record.contacts import each_frame, lying
 from ropewalk.record.rope_contact_table import pressed_by_ropes
 
 if TYPE_CHECKING:
     from ropewalk.record.result import Result
-
-_HELD = 0.01  # of what presses on an obstacle, beyond which ropes on it count as what holds the rest [1]
 
 WRAP_COLUMNS = (
     *("time [s]", "rope", "obstacle", "first node", "last node", "angle [rad]"),
@@ -42,7 +41,7 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
             if not np.isin(contacts.node[wrap.rows], wanted).any():
                 continue
             push, by_ropes = contacts.push[wrap.rows].sum(), ropes[contacts.node[wrap.rows]].sum()
-            at_slip = wrap.at_slip if by_ropes <= _HELD * push else np.nan
+            at_slip = wrap.at_slip if by_ropes <= PRESSED * push else np.nan
             found.append(
                 (
                     *(result.time[frame], result.layout.ropes[wrap.rope].name),

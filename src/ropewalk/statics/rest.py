@@ -34,6 +34,7 @@ from ropewalk.statics.refusal import (
     unloaded,
     unseen_words,
 )
+from ropewalk.statics.rope_presses import presses_of_ropes
 from ropewalk.statics.spans import RestSpan, rest_spans
 from ropewalk.statics.tied import tied_nodes
 from ropewalk.statics.touches import Seat, Touch, seats, touches
@@ -362,9 +363,9 @@ def _lie(
     model: Model, balance: Balance, x: Floats, tension: Floats
 ) -> tuple[tuple[Wrap, ...], Contacts]:
     """Return where ropes lie on obstacles at places (3, n) [m], and the contacts."""
-    others = balance.others(x)
-    force = balance.contact_force()
-    return wraps(model, np.ascontiguousarray(x.T), tension, force, others - force)
+    others, force = balance.others(x), balance.contact_force()
+    ropes = presses_of_ropes(model, balance.state.memory)
+    return wraps(model, np.ascontiguousarray(x.T), tension, force, others - force, ropes)
 
 
 def _trouble(model: Model, balance: Balance, found: Found) -> str:

@@ -11,11 +11,13 @@ import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
 from ropewalk.laws.obstacle import Obstacles
+from ropewalk.laws.obstacle_shapes import CYLINDER
 from ropewalk.lowering import Model, Span
 from ropewalk.lowering.coarse_turns import FINE, CoarseTurn, coarse_turn
-from ropewalk.lowering.touching import SLIPS, Contacts, contacts_at, stretches
+from ropewalk.lowering.touching import PRESSED, SLIPS, Contacts, contacts_at, stretches
 from ropewalk.statics.grooves import as_of_one, beside
 from ropewalk.statics.held_pulls import allowed, share_of
+from ropewalk.statics.sideways_turn import turn_about
 from ropewalk.statics.standing import standing_obstacles
 from ropewalk.words.prefixes import prefixed
 
@@ -59,8 +61,13 @@ class Wrap:
     coarse: CoarseTurn = FINE  # how far the ratio of tensions errs
     beside: tuple[str, ...] = ()  # other obstacles on which some of its nodes lie
     # By what the interval may widen at both ends as the rope slips sideways, to where friction is not needed
-    # across it any more: exp(mu angle) over the ratio at slip of this shape [1]; without its own weight.
+    # across it any more: exp(mu angle) over the ratio at slip of this shape [1], the angle that to which it
+    # may grow; without its own weight. 1 in a groove, where a rope does not slip sideways.
     wider: float = 1.0
+    beyond: bool = False  # whether that angle is not known, so that it may be wider yet
+    # Sum of the normal forces of ropes on its nodes [N]. Where they press noticeably it depends on their
+    # friction, too, what is held: neither the interval nor the share is known.
+    ropes: float = 0.0
 
     @property
     def nodes(self) -> int:
@@ -81,14 +88,14 @@ class Wrap:
         said = f"{self.where} on {self.obstacle!r}"
         if self.angle > _LEVEL:
             said += f" and turn{'s' if one else ''} by {math.degrees(self.angle):.4g} degrees"
-        if not math.isnan(self.most):
+        if self.is_pressed or not math.isnan(self.most):
             said += (
                 f", {prefixed(self.before, 'N', 4)} before and {prefixed(self.after, 'N', 4)} after"
             )
         if self.friction == 0.0:
             return said
         if math.isnan(self.most):
-            return said + self._taken
+            return said + self._pressed + self._taken
         end = "before" if self.backward else "after"
         most = "any tension" if math.isinf(self.most) else prefixed(self.most, "N", 4)
         also = f" with that of {self._others}" if self.beside else ""
@@ -103,7 +110,20 @@ class Wrap:
         return (
             " in this shape, in which it is held across, too; where it slips sideways before it slips along, "
             f"that may widen towards {prefixed(self.least / self.wider, 'N', 3)} to {to}"
+            + (" or beyond" if self.beyond else "")
         )
+
+    @property
+    def is_pressed(self) -> bool:
+        """Whether ropes press on it noticeably, beside what it presses itself."""
+        return self.ropes > PRESSED * self.force
+
+    @property
+    def _pressed(self) -> str:
+        """What ropes press on it, in words; "" where they do not."""
+        if not self.is_pressed:
+            return ""
+        return f"; ropes press on it there with {prefixed(self.ropes, 'N', 4)}, and their friction holds, too"
 
     @property
     def _others(self) -> str:
@@ -200,7 +220,12 @@ def _shared(lie: list[Wrap]) -> bool:
 
 
 def wraps(
-    model: Model, positions: Floats, tension: Floats, force: Floats, others: Floats
+    model: Model,
+    positions: Floats,
+    tension: Floats,
+    force: Floats,
+    others: Floats,
+    ropes: Floats,
 ) -> tuple[tuple[Wrap, ...], Contacts]:
     """Return where ropes lie on obstacles, rope by rope, and the contacts.
 
@@ -210,6 +235,7 @@ def wraps(
         tension: (s,) [N].
         force: of all obstacles on the nodes [N], (3, n).
         others: of all else but the segments' tension [N], (3, n).
+        ropes: normal forces of ropes on every node [N], (n,).
     """
     x, state = np.ascontiguousarray(positions.T), model.state
     table = model.system.node.obstacle
@@ -223,7 +249,7 @@ def wraps(
             own = (contacts.node >= rope.start) & (contacts.node <= rope.end)
             runs = stretches(contacts, np.flatnonzero(own & (contacts.obstacle == o)))
             found += [
-                _wrap(model, table, x, tension, others, contacts, of_one, rope, rows)
+                _wrap(model, table, x, tension, others, ropes, contacts, of_one, rope, rows)
                 for rows in runs
             ]
     return tuple(sorted(found, key=lambda wrap: (wrap.rope, wrap.first))), contacts
@@ -235,6 +261,7 @@ def _wrap(
     x: Floats,
     tension: Floats,
     others: Floats,
+    ropes: Floats,
     contacts: Contacts,
     of_one: Contacts,
     rope: Span,
@@ -245,7 +272,8 @@ def _wrap(
     after = float(tension[last]) if last < rope.end else 0.0
     held = np.isin(model.state.anchor_node[model.state.held == 1], np.arange(first, last + 1))
     least, most, back, share = math.nan, math.nan, False, math.nan
-    if not held.any():
+    push, pressed = float(contacts.push[rows].sum()), float(ropes[contacts.node[rows]].sum())
+    if not held.any() and not pressed > PRESSED * push:
         least, most, back = allowed(x, tension, others, of_one, rows, rope)
     pull = before if back else after
     if not (1.0 - _ROUNDING) * least <= pull <= (1.0 + _ROUNDING) * most:
@@ -257,12 +285,13 @@ def _wrap(
         model.scene.rope_named(rope.name),
     )
     friction = body.friction_with(made)
+    wider, beyond = _wider(table, x, of_one, rows, friction, rope)
     return Wrap(
         rope=rope.name,
         obstacle=body.name,
         first=first - rope.start,
         last=last - rope.start,
-        force=float(contacts.push[rows].sum()),
+        force=push,
         angle=float(contacts.turn[rows].sum()),
         before=before,
         after=after,
@@ -274,15 +303,29 @@ def _wrap(
         taken=_taken(of_one, rows),
         share=share,
         coarse=coarse_turn(table, contacts, rows, x, friction, made.segment_length),
-        wider=_wider(contacts, rows, friction),
+        wider=wider,
+        beyond=beyond,
+        ropes=pressed,
         beside=tuple(model.scene.obstacles[o].name for o in beside(contacts, rows)),
     )
 
 
-def _wider(contacts: Contacts, rows: Ints, friction: float) -> float:
-    """Return exp(mu angle) over the ratio at which a stretch slips as it lies, see `Contacts.at_slip` [1]."""
+def _wider(
+    table: Obstacles, x: Floats, contacts: Contacts, rows: Ints, friction: float, rope: Span
+) -> tuple[float, bool]:
+    """Return by what a stretch may hold more once it has slipped sideways, see `Wrap.wider`, and `beyond`.
+
+    `contacts` are those of nodes in grooves as of one, see `as_of_one`: they need nothing across.
+    """
     turn = float(np.maximum(contacts.turn[rows], 0.0).sum())
-    return math.exp(friction * turn) / contacts.at_slip(friction, rows)
+    first, last = int(contacts.node[rows[0]]), int(contacts.node[rows[-1]])
+    grown = math.nan
+    if not contacts.aside[rows].any():
+        grown = turn
+    elif table.kind[o := int(contacts.obstacle[rows[0]])] == CYLINDER:
+        grown = turn_about(table.axis[o], x, max(first, rope.start + 1), min(last, rope.end - 1))
+    most = float(np.fmax(turn, grown))
+    return math.exp(friction * most) / contacts.at_slip(friction, rows), math.isnan(grown)
 
 
 def _taken(contacts: Contacts, rows: Ints) -> float:
