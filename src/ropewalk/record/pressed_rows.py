@@ -11,6 +11,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.record.body_loads import body_loads, is_apart, of_nodes
 from ropewalk.record.extremes import SEEN, Extreme
+from ropewalk.record.facts import AT_REST
 from ropewalk.record.landings import Landing
 from ropewalk.record.quantities import PRESSED
 from ropewalk.record.too_low import obstacle_too_low
@@ -131,6 +132,19 @@ def _of_steps(result: Result, names: list[str]) -> Pressed | None:
         return None
     values = float(force[frame, row]), float(time[frame, row]), float(before[frame, row])
     return Pressed(names[row], frame, *values, True)
+
+
+def loads_of_steps(result: Result, force: Floats, names: Sequence[str]) -> Floats:
+    """Return the greatest force on obstacles of these names since the frame before, (frames, names) [N].
+
+    `force` is what the run has kept of that, (frames, surfaces). Where it starts at rest its first frame
+    counts, as that of an equilibrium; a shape as it is drawn does not, as in a run's table.
+    """
+    found: Floats = force[:, [result.layout.surfaces.index(name) for name in names]]
+    rests = result.status == AT_REST or result.scene.run.start == "at-rest"
+    if rests and len(found):
+        found[0] = np.fmax(found[0], body_loads(result, range(1), names)[0])
+    return found
 
 
 def _of_frames(result: Result, names: list[str], *, few: bool) -> Pressed | None:

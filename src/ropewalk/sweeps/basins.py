@@ -75,10 +75,7 @@ def find(residuals: Residuals, own: Floats, starts: int, seed: int) -> Found:
         table = _to_the_ends(table[:, 0])[:, None]
     found, costs = _scan(residuals, table)
     if not np.isfinite(costs).any():
-        raise NotFitted(
-            "every start broke: no run ended well anywhere in the ranges that were tried; "
-            f"the first: {residuals.reason or 'no number came of it'}"
-        )
+        raise NotFitted(_none_words(residuals))
     # A run that breaks must never look better than one that only lies far off.
     residuals.lost = max(LOST, 10.0 * float(np.abs(found[np.isfinite(found)]).max()))
     search = _Search(residuals)
@@ -102,6 +99,21 @@ def find(residuals: Residuals, own: Floats, starts: int, seed: int) -> Found:
     near = 1.01 * least + 2.0 * residuals.nothing
     worse = sum(square > near for square in search.ends)
     return Found(best[0], best[1], tuple(search.places), worse, len(search.ends))
+
+
+def _none_words(residuals: Residuals) -> str:
+    """Return why no start gave a number."""
+    if residuals.without:
+        names, one = " and ".join(residuals.without), len(residuals.without) == 1
+        return (
+            f"{names} {'has' if one else 'have'} no value in runs that ended well, so that nothing can be "
+            "fitted: a rope that has left an obstacle, or pulls nothing on one side of it, has no ratio "
+            "there. Measure at a time at which there is a value, or something else"
+        )
+    return (
+        "every start broke: no run ended well anywhere in the ranges that were tried; "
+        f"the first: {residuals.reason or 'no number came of it'}"
+    )
 
 
 def _scan(residuals: Residuals, table: Floats) -> tuple[Floats, Floats]:

@@ -13,6 +13,7 @@ from ropewalk.record.body_loads import body_loads
 from ropewalk.record.contacts import WrapHistory, wrap_history
 from ropewalk.record.extremes import shares
 from ropewalk.record.parted import count_parted
+from ropewalk.record.pressed_rows import loads_of_steps
 from ropewalk.record.quantities import labels
 from ropewalk.record.result import Result
 from ropewalk.scene import Scene
@@ -98,6 +99,16 @@ def _axle_load(result: Result) -> Floats:
     return body_loads(result, range(result.frames), names)
 
 
+def _obstacle_load_of_steps(result: Result, force: Floats) -> Floats:
+    names = [body.name for body in result.scene.obstacles]
+    return loads_of_steps(result, force, _some(names, "obstacle"))
+
+
+def _axle_load_of_steps(result: Result, force: Floats) -> Floats:
+    names = _some(result.layout.pulleys, "obstacle that turns freely")
+    return loads_of_steps(result, force, names)
+
+
 def _wraps(result: Result, of: Callable[[WrapHistory], Floats]) -> Floats:
     """Return something of all wraps, (frames, wraps); one rope's on all obstacles after another's."""
     bodies = _some([body.name for body in result.scene.obstacles], "obstacle")
@@ -114,10 +125,10 @@ def _some(names: Sequence[str], what: str) -> Sequence[str]:
 
 
 def _larger_over_smaller(wrap: WrapHistory) -> Floats:
-    ratio = wrap.ratio
-    found: Floats = np.fmax(
-        ratio, np.divide(1.0, ratio, out=np.full_like(ratio, np.nan), where=ratio > 0.0)
-    )
+    """Return ratios, (frames,) [1]; NaN where either side pulls nothing, as where a rope's end lies there."""
+    ratio, found = wrap.ratio, np.full_like(wrap.ratio, np.nan)
+    both = ratio > 0.0
+    found[both] = np.fmax(ratio[both], 1.0 / ratio[both])
     return found
 
 
@@ -157,12 +168,14 @@ DERIVED: dict[str, Derived] = {
         "N",
         "force of the ropes on an obstacle, without its own weight",
         _obstacle_load,
+        _obstacle_load_of_steps,
     ),
     "axle_load": Derived(
         ("time", "pulley"),
         "N",
         "force of the ropes on the axle of a pulley, without its own weight",
         _axle_load,
+        _axle_load_of_steps,
     ),
     "wrap_angle": Derived(
         ("time", "wrap"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any
 
@@ -61,6 +61,7 @@ class Residuals:
         self.progress: Callable[[int], None] = lambda evaluations: None
         self.lost = LOST
         self.reason = ""  # of the first run that broke
+        self.without: tuple[str, ...] = ()  # what has no value in a run that ended well
 
     @cached_property
     def units(self) -> tuple[str, ...]:
@@ -95,12 +96,25 @@ class Residuals:
         runs, rests = parts
         try:
             scene = self._workshop.scene(row)
-            return np.concatenate([m.predicted(runs, rests, scene) for m in self.measurements])
+            found = [m.predicted(runs, rests, scene) for m in self.measurements]
         except InputError:  # of the measurement, not of these values
             raise
         except (SceneError, ArithmeticError, RuntimeError, ValueError) as error:
             self.reason = self.reason or str(error)
             return np.full(self.size, math.nan)
+        if not any(self._broke(number)):
+            lacks = [
+                m.name
+                for m, one in zip(self.measurements, found, strict=True)
+                if np.isnan(one).any()
+            ]
+            self.without = tuple(dict.fromkeys((*self.without, *lacks)))
+        return np.concatenate(found)
+
+    def _broke(self, number: int) -> Iterator[bool]:
+        """Yield whether a row's run broke, and whether it has no rest."""
+        for function in self._functions.values():
+            yield bool(function.last.reason[number])
 
     def found(self, shares: Floats) -> Floats:
         """Return the residuals (N, m); NaN for a run that breaks."""

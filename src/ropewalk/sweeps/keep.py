@@ -44,6 +44,9 @@ _REDUCERS: dict[str, tuple[str, Callable[..., Any]]] = {
 }
 
 
+_ON_BODIES = "greatest_surface_forces"
+#: Of ropes that move by themselves each has its largest at a time of its own.
+_SUMS = " (at most, where ropes move by themselves: the sum of what each does)"
 #: What of the steps between two frames tells the largest or least of a quantity.
 _OF_STEPS = {
     ("tension", "max"): "greatest_tension",
@@ -57,6 +60,8 @@ _OF_STEPS = {
     ("reactions", "max"): "greatest_reactions",
     ("moments", "max"): "greatest_moments",
     ("energy_error", "max"): "energy_errors",
+    ("obstacle_load", "max"): _ON_BODIES,
+    ("axle_load", "max"): _ON_BODIES,
 }
 
 
@@ -91,6 +96,8 @@ class Kept:
         what = f"{_REDUCERS[self.reducer][0]} {words}"
         what += f" ({self.text})" if self.picks is not None else ""  # a part of it alone
         time_too = "time" not in self.but and self._frame() is None
+        if time_too and self.of_steps == _ON_BODIES:
+            what += _SUMS
         seen = "over all steps" if self.of_steps is not None else "over the recorded frames"
         return f"{what}, {seen}" if time_too else what
 
@@ -99,12 +106,12 @@ class Kept:
 
         An equilibrium has neither steps nor frames.
         """
-        bare = self.long_name.rpartition(", over")[0] or self.long_name
-        if at_rest:
-            return f"{bare}, at rest"
-        if every_step:
+        if every_step and not at_rest:
             return self.long_name
-        return self.long_name.replace(", over all steps", ", over the recorded frames")
+        name = self.long_name.replace(_SUMS, "")
+        if at_rest:
+            return f"{name.rpartition(', over')[0] or name}, at rest"
+        return name.replace(", over all steps", ", over the recorded frames")
 
     @property
     def of_steps(self) -> str | None:
@@ -134,7 +141,8 @@ class Kept:
             array, dims = result.read(self.of_steps), BY_NAME[self.of_steps].dims
             if "bound" in dims:  # the least and the greatest: the size is the larger one's
                 array, dims = np.fmax.reduce(np.abs(array), axis=1), dims[:1]
-            array = array if derived is None else derived.of_steps(result, array)
+            if derived is not None:
+                array, dims = derived.of_steps(result, array), derived.dims
         elif derived is not None:
             array = derived.of(result)
         elif self.quantity in result.source.names:
