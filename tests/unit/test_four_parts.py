@@ -96,7 +96,7 @@ CASES = [
     (moved('kind = "velocity", velocity = [0, 0, 1], start = 2, stop = 1'),
      "obstacle[0].motion.stop", "1.0", "must be later", "than start (2.0)"),
     (moved('kind = "orbit", center = [0, 0, 0], axis = [0, 0, 1], frequency = 0'),
-     "obstacle[0].motion.frequency", "0.0", "must not be zero", "leave out its motion"),
+     "obstacle[0].motion.frequency", "0.0", "must not be zero", "leave out the motion of what rests"),
     (moved('kind = "table", times = [0, 1], positions = [[0, 0, 0]]'),
      "obstacle[0].motion.positions", '"1 place"', "must have 2 places", "one for each time"),
     (moved('kind = "table"'), "obstacle[0].motion.times", "missing", "give times and positions", "or file"),
@@ -220,3 +220,8 @@ def test_a_direction_of_no_length_is_refused_with_one_that_has(table: str, key: 
     assert re.sub(r"\[\d+\]", "", fault.path) == f"{table.partition(':')[0]}.{key}"
     assert "[0.0, 0.0, 0.0] - must not be zero: give a vector of any length" in str(fault)
     assert "such as [0, 0, 1]" in fault.rule
+
+
+def test_a_key_that_one_kind_has_is_told_of_one() -> None:
+    with pytest.raises(SceneError, match="unknown key of 'cylinder'; only 'box' has it"):
+        loads(A + BAR + "edge_radius = 0.01\n")

@@ -120,3 +120,16 @@ def test_a_rope_that_is_drawn_taut_is_told_of_a_compliance_with_which_it_rests()
         static_shape(taut_over_a_pipe(2.06, compliance=SOFT))
     most = float(re.search(r"compliance of at most (\S+) m/N", str(told.value))[1])
     static_shape(taut_over_a_pipe(2.06, compliance=most))
+
+
+@pytest.mark.parametrize(("compliance", "yields"), [(1e-5, False), (2e-5, True)])
+def test_what_check_says_of_contacts_is_of_the_rest_that_is_known(
+    compliance: float, yields: bool
+) -> None:
+    """All weight on one node was told of a preset whose rest stood two lines above. The twin yields there."""
+    scene = rw.preset("capstan").replace(**{"obstacle.compliance": compliance})
+    check = rw.check(scene, measure=False)
+    assert check.statics.solved
+    told = [text for text in check.warnings if "presses it in" in text]
+    assert len(told) == yields
+    assert all("what a node carries at rest" in text for text in told)

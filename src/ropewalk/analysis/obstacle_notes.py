@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ropewalk.core.arrays import Floats
 from ropewalk.laws.hardening import depth_under
 from ropewalk.laws.obstacle import radius_of
 from ropewalk.laws.obstacle_rows import half_thickness, place_of
@@ -143,19 +144,29 @@ def reckoned_speed(model: Model, statics: Statics) -> float:
 
 
 def _presses(model: Model, statics: Statics, row: int) -> dict[str, Any]:
-    """Return what may press a node most into an obstacle, in words, and its force by nodes [N], (n,)."""
+    """Return what may press a node most into an obstacle, in words, and its force by nodes [N], (n,).
+
+    All weight on one node is not reckoned with where it is known what nodes carry at rest.
+    """
+    push = np.zeros(model.state.mass.size)
+    if statics.solved and statics.contacts is not None:
+        contacts, on_it = statics.contacts, statics.contacts.obstacle == row
+        np.maximum.at(push, contacts.node[on_it], contacts.push[on_it])
+        at_rest = {"what a node carries at rest": push}
+        return at_rest if on_it.any() else {"all weight on one node": _weight(model), **at_rest}
+    push[:] = pressing(model)
+    drawn = {"the largest force on a node of the drawn shape": push}
+    return {"all weight on one node": _weight(model), **drawn}
+
+
+def _weight(model: Model) -> Floats:
+    """Return for every node the weight of all ropes that may load each other with its own [N], (n,)."""
     gravity, mass = float(np.linalg.norm(model.system.gravity)), model.state.mass
-    weight, push = np.zeros(mass.size), np.zeros(mass.size)
+    weight = np.zeros(mass.size)
     for group in loading_each_other(model.scene):
         nodes = [
             np.arange(one.first, one.last + 1) for one in map(model.layout.ropes.__getitem__, group)
         ]
         own = np.concatenate(nodes)
         weight[own] = gravity * mass[own].sum()
-    if statics.solved and statics.contacts is not None:
-        contacts, on_it = statics.contacts, statics.contacts.obstacle == row
-        np.maximum.at(push, contacts.node[on_it], contacts.push[on_it])
-        what = "what a node carries at rest"
-    else:
-        push[:], what = pressing(model), "the largest force on a node of the drawn shape"
-    return {"all weight on one node": weight, what: push}
+    return weight

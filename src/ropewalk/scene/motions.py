@@ -129,7 +129,7 @@ class Orbit(Model):
     def _check(self) -> Orbit:
         faults = axis_faults(self.axis)
         if abs(self.frequency) < 1e-12:
-            rule = "must not be zero: for a node that rests leave out its motion"
+            rule = "must not be zero: leave out the motion of what rests"
             faults.append(Fault("frequency", self.frequency, rule))
         refuse(faults)
         return self

@@ -97,7 +97,8 @@ def _unknown(where: Place, key: str) -> str:
         return f'unknown key of {tag(owner)!r}; did you mean "{meant}"?'
     others = [repr(tag(one)) for one in siblings(owner) if key in keys(one)]
     if others:
-        return f"unknown key of {tag(owner)!r}; only {', '.join(others)} have it"
+        have = "has" if len(others) == 1 else "have"
+        return f"unknown key of {tag(owner)!r}; only {', '.join(others)} {have} it"
     if key in _NOT_BUILT:
         return _NOT_BUILT[key]
     homes = [join(path, key) for path, model in all_sections() if key in keys(model)]
