@@ -23,7 +23,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ropewalk.core.arrays import Floats, Forces, State, blank
+from ropewalk.core.arrays import TENSION_ONLY, Floats, Forces, State, blank
 from ropewalk.core.jit import kernel, part, small
 from ropewalk.core.saddle import Saddle, make_saddle
 from ropewalk.core.status import OK, UNSOLVED
@@ -61,7 +61,7 @@ from ropewalk.methods.stage_report import (
 
 MOST_ITERATIONS = 60
 DECIDING = 8  # iterations that may still change what rubs and what touches
-LOOSE = 1e-8  # [1] the same, where rounding stops the descent
+LOOSE = 1e-8  # [1] the same, where the descent stops, by rounding as a rule
 # The same where ropes touch each other, and as they are taken after the last iteration.
 TOUCHING, TOUCHING_AT_MOST = 1e-10, 1e-6
 TOUCHING_ITERATIONS = 25  # without bending: shorter steps take few
@@ -228,9 +228,12 @@ def finish(v_known, a, free, c2, v):
 def comes_to_press(system, stage):
     """Note where an obstacle presses from now on; tell whether it does so, and did not before in the solve.
 
-    One that is no plane: on planes alone merits come down. Steps that follow contacts are short.
+    One that is no plane: on planes alone merits come down. Steps that follow contacts are short, and of slack
+    with a bound on the stretch the model sees neither end.
     """
     if system.rare is None or stage.saddle.band.frozen[0] == 1 or stage.report[PRESSED] == 1.0:
+        return False
+    if limits(system) and system.flags[TENSION_ONLY] == 1:
         return False
     if presses_round(system.node.obstacle, stage.forces.node.obstacle):
         stage.report[PRESSED] = 1.0
@@ -254,10 +257,13 @@ def is_close_by_model(report, touching, iteration):
 
 
 @part
-def is_all_done(system, state, stage, c2, touching, at_last, last):
-    """Tell whether a solve has what rounding leaves of it: the residual hardly falls from `last` [N]."""
-    report = stage.report
-    if not at_last and report[RESIDUAL] <= 0.5 * last:
+def is_all_done(system, state, stage, c2, touching, at_last, last, size):
+    """Tell whether a solve has what rounding leaves of it: the residual hardly falls from `last` [N].
+
+    In a step of `size` [1], which beside obstacles has to be a whole one.
+    """
+    report, stays = stage.report, touching or size >= 1.0
+    if not at_last and (report[RESIDUAL] <= 0.5 * last or not stays):
         return False
     if not touching:
         report[ROUNDING] += rounding_at_last(system, state, stage, c2)
@@ -314,27 +320,27 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
         report[ITERATIONS], report[HISTORY + iteration] = iteration, trial
         if is_solved(report, TOUCHING if touching else tight):
             break
-        if by_model:
-            if is_all_done(system, state, stage, c2, touching, iteration >= most, last):
-                break
-            last = report[RESIDUAL]
-        if whole and iteration < most and needs_window(stage, mass, c1 * c2, window):
+        at_last = iteration >= most
+        if by_model and is_all_done(system, state, stage, c2, touching, at_last, last, size):
+            break
+        last = report[RESIDUAL]
+        if whole and not at_last and needs_window(stage, mass, c1 * c2, window):
             keep_course(report, merit, exact, wary, held_back, failed, leaps, leap)
             return PAUSED
         stuck = failed and not exact
-        if stuck or iteration >= most:
-            report[ROUNDING] += rounding_at_last(system, state, stage, c2)
+        if stuck or at_last:
+            if touching or not by_model:
+                report[ROUNDING] += rounding_at_last(system, state, stage, c2)
             if is_solved(report, LOOSE if stuck else TIGHT):
                 break
         leaps, leap = leaps + (1 if stuck else 0), stuck or (leap and wary > 1)
-        if iteration >= most or leaps > MOST_LEAPS:
+        if at_last or leaps > MOST_LEAPS:
             find_worst(saddle.force, report)
             return UNSOLVED
         wary = WARY if failed else wary - 1
         close = trial < NEAR * merit or (calm and is_close(report, CLOSE)) or iteration > late
-        near = exact or (held_back == 1 and close)
         by_now = is_close_by_model(report, touching, iteration)
-        exact = (by_now if by_model else near) and wary <= 0
+        exact = (by_now if by_model else exact or (held_back == 1 and close)) and wary <= 0
         leap = leap or (by_model and not exact)
         saddle.band.definite[0] = 1 if by_model and not touching and not exact else 0
         held_back = newton_step(system, state, stage, c1, c2, exact, leap)
