@@ -26,7 +26,7 @@ class Band(NamedTuple):
     lower2: Floats  # row i + 2, column i; (n, 9) or (0, 9)
     rubs: Floats  # (n - 1,) 1 for segments with friction, 0 for slack tension-only ones
     marks: Floats  # (m, n) those of the laws of nodes: a row each, 1 where it acts
-    slips: Floats  # (k, 7, n) or (0, 0, n) slip on obstacles in a solve, see `laws.slips`
+    slips: Floats  # (k, 7, n) or (0, 0, n) slip on obstacles in a solve, see `laws.slip_course`
     frozen: Ints  # (1,) 1 where all marks stay during a step, and forces go on smoothly across
     definite: Ints  # (1,) 1 where what is round gives no contact's tangent a negative eigenvalue
 

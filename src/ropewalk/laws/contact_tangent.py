@@ -5,7 +5,7 @@ With H of the surface, k the slope of R, b = mu R_n, q before it is cut and s = 
     -dq   = k_t P dx + c P dv + (n.w) H dx + n (w.H dx),   w = R' - k_t D - c v
     -dR   = n (-dR_n) - R_n H dx + (-dq                                  where it sticks
                                     mu s (-dR_n) + (b/|q|) (I - s s^T) (-dq)   where it slips)
-Where ropes touch, s s^T counts less while a node turns in a solve, see `slips`.
+Where ropes touch, s s^T counts less while a node turns in a solve, see `slip_course`.
 The last but one makes it unsymmetric. The surface's own velocity changes with the place by its spin, which is
 W where it moves the surface itself. `Band.definite` leaves - R_n H out: far from the solution, in a ball by
 centimetres, it outweighs a node's inertia a thousand times.
@@ -23,7 +23,7 @@ from ropewalk.laws.hardening import squeezed
 from ropewalk.laws.obstacle_lead import led
 from ropewalk.laws.obstacle_pose import body_of, pose_of, probe_turned, rates_of, swept
 from ropewalk.laws.obstacle_reach import RUN, first_run, is_out_of_reach
-from ropewalk.laws.slips import follow_slip
+from ropewalk.laws.slip_course import follow_slip
 from ropewalk.laws.wheel_rows import surface_then
 from ropewalk.laws.wheels import begin_ties, find_rates, turned, write_row
 

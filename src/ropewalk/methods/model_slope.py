@@ -19,7 +19,7 @@ from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.laws.couplings import along_couplings, couples
 from ropewalk.laws.nodes import are_local, marked_node_forces, node_tangents
 from ropewalk.laws.pairs.table import LATER
-from ropewalk.laws.slips import keep_slips
+from ropewalk.laws.slip_course import keep_slips
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.wheel_ties import along_wheels, has_wheels
 

@@ -32,7 +32,7 @@ from ropewalk.laws.couplings import couples
 from ropewalk.laws.inner import begin_inner
 from ropewalk.laws.rare import has_bending, limits
 from ropewalk.laws.registry import NODE_LAWS
-from ropewalk.laws.slips import ROWS
+from ropewalk.laws.slip_course import ROWS
 from ropewalk.laws.stage_forces import evaluate_stage, mark_stage
 from ropewalk.laws.table import accelerate
 from ropewalk.methods.model_slope import follow_model
@@ -113,7 +113,7 @@ class Stage(NamedTuple):
 
 
 def make_stage(state: State, watches_slip: bool = False) -> Stage:
-    """Return working arrays that fit `state`; with `watches_slip` those of `laws.slips`, too."""
+    """Return working arrays that fit `state`; with `watches_slip` those of `laws.slip_course`, too."""
     s = state.rest_length.shape[0]
     x, v, x_known, v_known, a = (np.zeros_like(state.x) for _ in range(5))
     forces = blank(state.forces)._replace(applied=state.forces.applied)

@@ -17,7 +17,7 @@ from ropewalk.core.jit import deferred, kernel, part
 from ropewalk.core.status import OK
 from ropewalk.laws.couplings import couples
 from ropewalk.laws.pairs.table import FIRST_LOOK, NO_SOLVE
-from ropewalk.laws.slips import set_course
+from ropewalk.laws.slip_course import set_course
 from ropewalk.methods.stage import Stage, make_stage, newton
 from ropewalk.methods.stage_report import AIDED, BEGIN, FIRST, LAST, PAUSED, SOLVES, TIGHT, UNAIDED
 

@@ -4,7 +4,7 @@ With b = mu R_n, q before it is cut, s = q/|q| and z the change of the vector be
     -dR_n = (R' n + c n) . dz                           of a contact that presses
     -dR   = n (-dR_n) + (k_t + c_t) P dz                                      where it sticks
             n (-dR_n) + (b/|q|) (k_t + c_t) (P - s s^T) dz + mu s (-dR_n)     where it slips
-where s s^T counts less while a contact turns in a solve, see `laws.slips`,
+where s s^T counts less while a contact turns in a solve, see `laws.slip_course`,
 and what c_t grows by with the depth, times (P - s s^T) D', less, where it is that of a drag.
 A node whose part of that vector is M = w I + l n^T, w its share and l its lever, gets M^T dR.
 In a solve's first iteration R' is R over the depth beyond the skin: a guess lets ropes go on into each other,

@@ -26,7 +26,7 @@ WRONG = 0.03  # [1] by which a frozen contact may err, over the same sum
 # MORE in the step that has led here [m], how fast it closed as the step began, where BRAKE goes with that
 # within the step, else 0 [m/s], of what throws back, one over the mass that its points move as [1/kg], and
 # the spring of one without friction [N/m], see `easing`; in a solve, what it held of what friction can an
-# iteration ago [1], and whether there was one, see `laws.slips`.
+# iteration ago [1], and whether there was one, see `laws.slip_course`.
 (
     NORMAL,
     OWN,

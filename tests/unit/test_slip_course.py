@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from ropewalk.laws.pairs.table import AGO, CONTACTS, COURSE, FIRST_LOOK, LATER, NO_SOLVE
-from ropewalk.laws.slips import BEFORE, ROWS, WHEN, follow_slip, keep_slips, settled
+from ropewalk.laws.slip_course import BEFORE, ROWS, WHEN, follow_slip, keep_slips, settled
 from ropewalk.methods.stage_report import SOLVES
 from ropewalk.simulation import Simulation
 from verification.heaps import STEP, pile
