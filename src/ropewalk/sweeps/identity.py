@@ -48,6 +48,7 @@ KEPT_BY = (
     "record/seen_along.py",
     "record/source.py",
     "record/speed_note.py",
+    "record/stood.py",
     "record/sudden_anchors.py",
     "record/tension_notes.py",
     "record/too_low.py",
