@@ -52,13 +52,16 @@ def finished(scene: rw.Scene) -> Result:
     return result
 
 
-@pytest.mark.parametrize("floor", [False, True], ids=["in the air", "with a floor"])
-@pytest.mark.parametrize("EI", [0.0, 1e-4], ids=["slack", "bending"])
+@pytest.mark.parametrize(
+    ("floor", "EI"),
+    [(False, 0.0), (True, 0.0), (False, 1e-4)],
+    ids=["in the air", "with a floor", "bending"],
+)
 @pytest.mark.parametrize("method", [*IMPLICIT, "adaptive", *EXPLICIT])
 def test_what_has_nothing_near_has_the_bits_of_ropes_that_cannot_touch(
     method: str, EI: float, floor: bool
 ) -> None:
-    """The same solves, guesses and tolerance; on the floor ropes land in it, too."""
+    """The same solves, guesses and tolerance; on the floor limp ropes land in it, too."""
     scene = swinging(method, EI=EI, floor=floor)
     without, apart = finished(scene), finished(scene.replace(contact=Contact()))
     for name in ("positions", "velocities", "tension"):

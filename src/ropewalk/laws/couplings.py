@@ -8,7 +8,7 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ordering import begin_groups, order_groups
 from ropewalk.laws.node_law import NodeLaw, has_any
 from ropewalk.laws.nodes import fold, nothing_to_remember, remembering, whether
-from ropewalk.laws.rare import acts
+from ropewalk.laws.rare import acts, has_bending
 
 FINE, AGAIN, HALVE = range(3)  # what `meet` says of a step
 
@@ -32,8 +32,19 @@ def _counting(law: NodeLaw, k: int, rest: Any) -> Any:
     return _couples
 
 
-couples = fold(_counting, _none_couples, "couple")
-"""couples(system, state): tell whether one couples any, as the state has it: so during a whole solve."""
+_couples_any = fold(_counting, _none_couples, "couple")
+
+
+@part
+def couples(system, state):
+    """Tell whether one couples any, as the state has it: so during a whole solve.
+
+    Or is to be solved for as if, as what bends and may come down on a body: a column that lands on its end
+    buckles, and by residuals alone the search finds one of many ways, with energy of its own.
+    """
+    if may_couple(system) and has_bending(system) and state.memory.obstacle.grip.shape[0] > 0:
+        return True
+    return _couples_any(system, state)
 
 
 @part
