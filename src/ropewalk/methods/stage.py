@@ -265,9 +265,10 @@ def is_all_done(system, state, stage, c2, touching, at_last, last, size):
     report, stays = stage.report, touching or size >= 1.0
     if not at_last and (report[RESIDUAL] <= 0.5 * last or not stays):
         return False
-    if not touching:
-        report[ROUNDING] += rounding_at_last(system, state, stage, c2)
-    return is_solved(report, TOUCHING_AT_MOST if touching and at_last else LOOSE)
+    if touching:
+        return is_solved(report, TOUCHING_AT_MOST if at_last else LOOSE)
+    report[ROUNDING] += rounding_at_last(system, state, stage, c2)
+    return is_solved(report, LOOSE if at_last else TOUCHING)
 
 
 @part
