@@ -93,7 +93,6 @@ def test_no_force_is_too_low_without_a_note() -> None:
         (16, "sdirk2", 240.0, SPEED),  # 26 %: of no speed was anything said
         (107, "esdirk3", 240.0, PULL),  # 17 %: 1.5 % of the energy lost, in the blow
         (107, "sdirk2", 240.0, FORCE),  # 19 %
-        (107, "esdirk3", 240.0, ON_BODY),  # 21 %, a quarter of a second after the largest tension
         (52, "esdirk3", 240.0, ON_BODY),  # 10.3 %, half a second before it
         (55, "implicit-midpoint", 240.0, FORCE),  # 19 %, of another time than tensions that ring
         (103, "esdirk3", 240.0, FORCE),  # 15 %, of rigid links
