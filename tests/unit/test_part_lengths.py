@@ -123,17 +123,17 @@ def test_that_takes_fewer_solutions(heaped: tuple[Simulation, Snapshot]) -> None
 
 @pytest.mark.slow
 def test_so_it_does_where_a_rope_with_bending_is_fed() -> None:
-    """A stiff one, with few contacts, from its start on; by little since decision 124 (few steps fail)."""
+    """A stiff one, with few contacts, from its start on: fast, as slow ones hardly need parts now."""
 
     def solutions(forgets: bool) -> float:
-        simulation = Simulation(fed(100, 1e6, 1e-6, 0.4))
-        for _ in range(80):
+        simulation = Simulation(fed(100, 1e6, 1e-6, 0.8))
+        for _ in range(60):
             if forgets:
                 simulation.arrays.past[LENGTH:] = 0.0
             simulation.step(STEP)
         return float(simulation._engine._scratch.stage.report[SOLVES])
 
-    assert solutions(forgets=False) < 0.95 * solutions(forgets=True)
+    assert solutions(forgets=False) < 0.8 * solutions(forgets=True)
 
 
 @pytest.mark.parametrize(("speed", "fast"), [(0.0, False), (0.14, False), (0.16, True)])
