@@ -45,9 +45,7 @@ class Peaks(NamedTuple):
         Floats  # (2, 2) least and greatest energy error [J], and when [s]; without a ledger unseen
     )
     error_zero: Floats  # (1,) energy from which errors count [J]; NaN without a ledger
-    pressed: (
-        Floats  # (b, 7) of every surface, see `Layout.surfaces` and SQUARE; of ropes on ropes none
-    )
+    pressed: Floats  # (b, 7) of all surfaces but ropes, see `Layout.surfaces` and SQUARE
 
 
 _HIGH, _LOW = -np.inf, np.inf  # what every number lies beyond

@@ -31,9 +31,7 @@ class Pressed(NamedTuple):
     frame: int  # it was not after this one, and after the one before
     force: float  # [N]
     time: float  # [s]; NaN: ropes that move by themselves had each their greatest at times of their own
-    before: (
-        float  # [N] the least in the three steps before; NaN where it is of frames, or not known
-    )
+    before: float  # [N] the least in the three steps before; NaN: of frames, or not known
     every_step: bool
 
     def when(self, result: Result) -> str:

@@ -126,7 +126,8 @@ def obstacle_too_low(
     frame, most, plan = found.frame, found.force, result.plan
     landing = max(landings, key=lambda one: one.force, default=None)
     if landing is not None and most < _LOWER * landing.force:
-        by = f"{_steps(result)}, or frames between which there are some,"
+        frames = "" if found.every_step else ", or frames between which there are some,"
+        by = f"{_steps(result)}{frames}"
         return "landing not shown", landing.words(landing.force, by)
     elastic = [one for one in result.scene.ropes if not one.rigid]
     stiff = max((one.segment_stiffness * one.segment_length for one in elastic), default=0.0)
