@@ -55,13 +55,32 @@ def pressed_rows(result: Result, tension: Extreme, landings: Sequence[Landing]) 
         if found is None:
             continue
         stop = "; of rigid links it may be momentum over a step" if _is_hard(result) else ""
-        noun = "obstacle" if title == BODY else "pulley"
-        weight = "" if title == BODY else "; its own weight is not in it"
         told[f"{title} [N]"] = found.force
-        told[f"{title} at"] = f"{noun} {found.name!r}, {found.when(result)}{stop}{weight}"
+        told[f"{title} at"] = _place(title, found.name, f", {found.when(result)}{stop}")
         if note := _note(result, found, tension, landings)[1]:
             told[f"about the {title}"] = note
     return told
+
+
+def pressed_rows_at_rest(result: Result) -> dict[str, Any]:
+    """Return the largest force of ropes at rest on one obstacle that does not turn freely, and on an axle."""
+    told: dict[str, Any] = {}
+    if "contact_force" not in result.source.names:
+        return told
+    for title, names in _named(result).items():
+        load = body_loads(result, range(1), names)[0]
+        row = int(np.argmax(load))
+        if load[row] > 0.0:
+            told[f"{title} [N]"] = float(load[row])
+            told[f"{title} at"] = _place(title, names[row])
+    return told
+
+
+def _place(title: str, name: str, when: str = "") -> str:
+    """Return what is pressed, in words, and when."""
+    if title == AXLE:
+        return f"pulley {name!r}{when}; its own weight is not in it"
+    return f"obstacle {name!r}{when}"
 
 
 def pressed_kinds(result: Result, tension: Extreme, landings: Sequence[Landing]) -> Iterator[str]:

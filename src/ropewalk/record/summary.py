@@ -35,7 +35,7 @@ from ropewalk.record.note_kinds import (
     notes_of_extremes,
 )
 from ropewalk.record.parted import parting_rows
-from ropewalk.record.pressed_rows import pressed_rows
+from ropewalk.record.pressed_rows import pressed_rows, pressed_rows_at_rest
 from ropewalk.record.reach_note import reach_note
 from ropewalk.record.seen_along import along_note
 from ropewalk.record.stood import stood_note
@@ -243,6 +243,7 @@ def _at_rest(result: Result, found: dict[str, Extreme]) -> dict[str, Any]:
         if name in notes:
             table[f"about the {title.partition(' [')[0]}"] = notes[name][1]
     table |= _moment_at_rest(result, found, notes)
+    table |= pressed_rows_at_rest(result)
     if note := stood_note(result):
         table["about the obstacles"] = note
     if note := rest_limiter_note(result, found):

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from ropewalk.scene.faults import NO_VALUE, Fault
+from ropewalk.scene.faults import Fault
 from ropewalk.words.safe_side import rounded_up
 
 if TYPE_CHECKING:
@@ -24,7 +24,7 @@ def pivot_faults(body: Any, spin: Spin) -> list[Fault]:
         rule = (
             "is for bodies that have an end: this one turns about its own axis only; leave it out"
         )
-        return [Fault(f"spin.{min(given)}", NO_VALUE, rule)]
+        return [Fault(f"spin.{min(given)}", getattr(spin, min(given)), rule)]
     if spin.axis is not None:
         if body.kind in _OWN:
             rule = "is for bodies with an axis of their own shape: give this one's own axis"

@@ -19,7 +19,7 @@ from ropewalk.scene.base import (
     stop_time,
     vector,
 )
-from ropewalk.scene.faults import MISSING, NO_VALUE, Fault
+from ropewalk.scene.faults import MISSING, Fault
 from ropewalk.scene.limits import HUGE
 from ropewalk.scene.motions import Table, axis_faults, interval_faults, time_faults
 from ropewalk.scene.solid import Body
@@ -88,10 +88,10 @@ class Spin(Model):
             refuse([Fault("rate", MISSING, "give rate, or times and angles, or free = true")])
         if self.rate is not None and by_table:
             rule = "give either rate or times and angles, not both"
-            refuse([Fault(min(by_table), NO_VALUE, rule)])
+            refuse([Fault(min(by_table), getattr(self, min(by_table)), rule)])
         if by_table and (over := given & {"start", "stop"}):
             rule = "a table of angles has times of its own: leave it out"
-            refuse([Fault(min(over), NO_VALUE, rule)])
+            refuse([Fault(min(over), getattr(self, min(over)), rule)])
         if not by_table:
             refuse(interval_faults(self.start, self.stop))
             return self
@@ -126,7 +126,7 @@ def _wheel_faults(spin: Spin) -> list[Fault]:
         rule = (
             "is for an obstacle that is turned, and one that is free is not: leave it out, or free"
         )
-        faults.append(Fault(min(over), NO_VALUE, rule))
+        faults.append(Fault(min(over), getattr(spin, min(over)), rule))
     if spin.center_of_mass is not None and spin.mass is None:
         faults.append(Fault("mass", MISSING, "give the mass whose centre center_of_mass is"))
     return faults
