@@ -5,13 +5,13 @@ Of a rope without weight on a drum that is ln(ratio of tensions) / (mu angle).
 
 from __future__ import annotations
 
-import itertools
 import math
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
+from laid import half_round, laid
 from ropewalk.statics import static_shape
 from verification.test_rest_on_obstacles import drum, table, weighted
 
@@ -134,15 +134,8 @@ def test_a_helix_may_hold_what_its_whole_way_round_holds() -> None:
     helix = [(out * math.cos(a), pitch * a / math.tau, out * math.sin(a)) for a in angles]
     x, y, z = helix[-1]
     points = [(out, 0.0, -1.2), *helix, (x, y, z - 1.2)]
-    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
-    rope = rw.Rope(
-        segments=int(length / 0.01),
-        length=length,
-        diameter=0.01,
-        made_of=rw.Material(EA=2e4, mass_per_length=2e-3, axial_damping=20.0),
-        shape={"kind": "polyline", "points": points},
-        loads=[{"node": 0, "mass": before / 9.81}, {"node": -1, "mass": 9.0 / 9.81}],
-    )
+    masses = {0: before / 9.81, -1: 9.0 / 9.81}
+    rope = laid(points, masses, spacing=0.01, mass_per_length=2e-3)
     drum = rw.Cylinder(start=(0, -1, 0), end=(0, 1, 0), radius=0.05, friction=mu)
     (wrap,) = static_shape(rw.Scene(ropes=[rope], obstacles=[drum])).wraps
     capstan = math.exp(mu * turns * math.tau)
@@ -184,18 +177,7 @@ def test_no_interval_widens_in_a_groove() -> None:
     """Between two balls a rope cannot slip sideways: 35.5 N were told, where it slides from 21.1 N on."""
     radius, apart, mu = 0.1, 0.06, 0.2
     out = math.sqrt(0.105**2 - apart**2)
-    bend = np.linspace(0.0, math.pi, 41)
-    arc = [(-1.01 * out * math.cos(a), 0.0, 1.01 * out * math.sin(a)) for a in bend]
-    points = [(arc[0][0], 0.0, -0.3), *arc, (arc[-1][0], 0.0, -0.3)]
-    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
-    rope = rw.Rope(
-        segments=int(length / 0.012),
-        length=length,
-        diameter=0.01,
-        made_of=rw.Material(EA=2e4, mass_per_length=1e-3, axial_damping=20.0),
-        shape={"kind": "polyline", "points": points},
-        loads=[{"node": 0, "mass": 1.0}, {"node": -1, "mass": 1.5}],
-    )
+    rope = laid(half_round(1.01 * out), {0: 1.0, -1: 1.5})
     balls = [rw.Sphere(center=(0, y, 0), radius=radius, friction=mu) for y in (-apart, apart)]
     for wrap in static_shape(rw.Scene(ropes=[rope], obstacles=balls)).wraps:
         limit = math.exp(mu * math.pi / math.sqrt(1.0 - (apart / 0.105) ** 2))
@@ -204,29 +186,14 @@ def test_no_interval_widens_in_a_groove() -> None:
         assert "sideways" not in wrap.words
 
 
-def over_drum(name: str, around: float, mass: float) -> rw.Rope:
-    """A rope over a drum, at a radius [m], with a mass at its end [kg]."""
-    bend = np.linspace(0.0, math.pi, 25)
-    arc = [(-around * math.cos(a), 0.0, around * math.sin(a)) for a in bend]
-    points = [(-around, 0.0, -0.3), *arc, (around, 0.0, -0.3)]
-    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
-    return rw.Rope(
-        name=name,
-        segments=int(length / 0.012),
-        length=length,
-        diameter=0.01,
-        made_of=rw.Material(EA=2e4, mass_per_length=0.01, axial_damping=20.0),
-        shape={"kind": "polyline", "points": points},
-        loads=[{"node": -1, "mass": mass}],
-    )
-
-
 @pytest.mark.parametrize("covered", [True, False])
 def test_no_interval_is_told_where_another_rope_presses(covered: bool) -> None:
     """Its friction holds, too: up to 9.9 N were told after 14.8 N before, and 29.8 N were held."""
-    ropes = [over_drum("a", 0.0555, 1.0)]
-    if covered:
-        ropes.append(over_drum("b", 0.066, 3.0))
+    drawn = {"a": (0.0555, 1.0)} | ({"b": (0.066, 3.0)} if covered else {})
+    ropes = [
+        laid(half_round(out, bends=24), {-1: mass}, name=name, mass_per_length=0.01)
+        for name, (out, mass) in drawn.items()
+    ]
     drum = rw.Cylinder(name="drum", start=(0, -0.2, 0), end=(0, 0.2, 0), radius=0.05, friction=0.2)
     scene = rw.Scene(
         ropes=ropes,

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
+from laid import half_round, laid
 from ropewalk.lowering.splitting import split
 from ropewalk.record.body_loads import body_loads
 from ropewalk.record.quantities import PRESSED
-from ropewalk.scene import Plane, Polyline, Scene, Sphere, Straight
+from ropewalk.scene import Plane, Scene, Sphere, Straight
 
 g = 9.81
 MADE = rw.Material(EA=1e4, mass_per_length=0.1, axial_damping=5.0)
@@ -144,19 +144,8 @@ def test_what_friction_cannot_carry_is_told_all_the_same() -> None:
 def test_a_rope_between_two_balls_slips_at_the_ratio_that_both_hold() -> None:
     """Of a V-belt, exp(mu angle / cos b), b that of a side to the bottom; told was 1, for both."""
     mu, radius, aside, reach = 0.2, 0.1, 0.06, 0.105
-    off = 1.01 * math.sqrt(reach**2 - aside**2)
-    turn = np.linspace(0.0, math.pi, 41)
-    points = [(-off, 0, -0.3), *((-off * math.cos(a), 0, off * math.sin(a)) for a in turn)]
-    points.append((off, 0, -0.3))
-    length = sum(math.dist(a, b) for a, b in itertools.pairwise(points))
-    rope = rw.Rope(
-        segments=int(length / 0.012),
-        length=length,
-        diameter=0.01,
-        made_of=rw.Material(EA=2e4, mass_per_length=1e-3, axial_damping=20.0),
-        shape=Polyline(points=points),
-        loads=[rw.Load(node=0, mass=1.0), rw.Load(node=-1, mass=1.8)],
-    )
+    out = math.sqrt(reach**2 - aside**2)
+    rope = laid(half_round(1.01 * out), {0: 1.0, -1: 1.8})
     balls = [
         Sphere(name=name, center=(0, y, 0), radius=radius, friction=mu)
         for name, y in (("left", -aside), ("right", aside))
