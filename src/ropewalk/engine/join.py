@@ -134,6 +134,12 @@ def begin_boxes(engine: Engine) -> None:
         walk.shown[:] = scratch.here
 
 
+def begin_all_boxes(engines: Sequence[Engine]) -> None:
+    """Let the boxes of all islands begin anew where they are."""
+    for engine in engines:
+        begin_boxes(engine)
+
+
 def _begin_at(system: System, state: State, other: State) -> None:
     """Let a state's boxes begin anew where it is, and straight on to another one."""
     radius, swept = system.node.contact.radius, state.memory.contact.swept

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints, State, System
@@ -10,6 +12,7 @@ from ropewalk.laws.pairs.table import REACH
 from ropewalk.methods.verdict import LARGEST
 
 CANDIDATES = 1 << 20  # pairs of boxes that are looked at at once
+NEAR = 7  # beside `core.status`: in a call of many frames some came near, it is to be of one frame
 RUN = 16  # boxes that are looked at as one first
 
 
@@ -29,6 +32,13 @@ def boxes_at(system: System, state: State, *more: State) -> Floats:
     low[:, ~there], high[:, ~there] = np.inf, -np.inf
     boxes = (np.minimum.reduceat(low, runs, axis=1), np.maximum.reduceat(high, runs, axis=1))
     return np.concatenate(boxes).T
+
+
+def met(states: Sequence[State]) -> set[tuple[int, int]]:
+    """Return which of some states have boxes that overlap, see `meeting`."""
+    boxes = [state.memory.contact.swept for state in states]
+    owners = np.repeat(np.arange(len(boxes)), [len(box) for box in boxes])
+    return meeting(np.concatenate(boxes)[:, :FROM], owners)
 
 
 def meeting(boxes: Floats, owners: Ints) -> set[tuple[int, int]]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,9 +25,9 @@ from ropewalk.engine.engine import Asked, Engine, Moved, controlled, controls_of
 from ropewalk.engine.exchange import Carried, Told
 from ropewalk.engine.frames import Frames
 from ropewalk.engine.islands import Islands, walk_of
-from ropewalk.engine.join import begin_boxes, join_own, spread_sums
+from ropewalk.engine.join import begin_all_boxes, begin_boxes, join_own, spread_sums
 from ropewalk.engine.lying import falls_beside
-from ropewalk.engine.meeting_boxes import joined, meeting
+from ropewalk.engine.meeting_boxes import NEAR, joined, met
 from ropewalk.engine.met_before import Ropes, is_as, met_before, misfit
 from ropewalk.engine.own_controls import own_controls, take_controls
 from ropewalk.engine.places import OwnLinks, own_links, places_in
@@ -35,7 +35,6 @@ from ropewalk.engine.shares import Share, shares_of
 from ropewalk.engine.shelf import on_shelf, size_of
 from ropewalk.engine.start import all_started, started
 from ropewalk.engine.wheel_reach import Wheels, follow_others
-from ropewalk.laws.pairs.swept import FROM
 from ropewalk.lowering import Model, Pieces
 from ropewalk.methods.adaptive import Walk
 from ropewalk.methods.recording import Recording
@@ -232,8 +231,6 @@ class Meetings(Islands):
             table = part.engine.system.node.contact
             write_rows(found, table, state.memory.contact, state.stiffness)
 
-    # -- as islands ------------------------------------------------------------------------
-
     @property
     def inner(self) -> Floats:
         """A copy of which ropes are one, which have ended, and all numbers of the islands' states, (m,).
@@ -310,14 +307,12 @@ class Meetings(Islands):
         here = {rope: k for k, part in enumerate(self._parts) for rope in part.ropes}
         return [here[ropes[0]] for ropes in fallen]
 
-    # -- moving on -------------------------------------------------------------------------
-
     def call(
         self, now: Floats, frames: int, most: int, out: Recording, stop: bool, asked: Asked
     ) -> Moved:
-        """Move all islands by at most one frame, see `Islands.call`; those that meet go on as one."""
-        if len(self._parts) == 1 or frames == 0:
-            return self._told_of(super().call(now, frames, most, out, stop, asked))
+        """Move all islands, see `Islands.call`; those that meet in a frame go on as one, in more: NEAR."""
+        if len(self._parts) == 1 or frames != 1:
+            return self._call_far(now, frames, most, out, stop, asked)
         began, back = now.copy(), None
         left, done = [int(now[3])], 0
         spared: bool | None = False  # whether some that had burst were; None: they came back
@@ -338,7 +333,7 @@ class Meetings(Islands):
                 touch = near = self._near() if moved.status == OK else set()
                 if near and (steps == 1 or not stop):
                     near = unburst(self.engines, touch, stop, None if spared is None else time)
-                met = {pair for pair in near if not self._ended[[*pair]].any()}
+                meet = {pair for pair in near if not self._ended[[*pair]].any()}
                 fell = moved.status == UNSOLVED or (moved.status == BROKEN and stop)
                 here = self._before[0], walk, self._before[1]
                 if left or touch or fell:  # what another call writes to
@@ -347,9 +342,9 @@ class Meetings(Islands):
                 if steps > 1 and (near or fell):
                     self._go_back(*here)
                     left += [steps - steps // 2, steps // 2]
-                elif met:
+                elif meet:
                     self._go_back(*here)
-                    self._regroup(joined([part.ropes for part in self._parts], met))
+                    self._regroup(joined([part.ropes for part in self._parts], meet))
                     left.append(steps)
                 elif near:
                     falls = falls_beside(self.engines, near, self._ended, time)
@@ -364,14 +359,21 @@ class Meetings(Islands):
                         self._go_back(*back)
                         now[:], left, done, spared = began, [int(began[3])], 0, None
                         continue
-                    for engine in self.engines:
-                        begin_boxes(engine)
+                    begin_all_boxes(self.engines)
         except BaseException:
             if back is not None:
                 self._go_back(*back)
             now[:] = began
             raise
         return Moved(OK, 1, done)
+
+    def _call_far(self, now: Floats, frames: int, *more: Any) -> Moved:
+        """As `call`, where no islands can meet, or to the end of many frames."""
+        moved = self._told_of(super().call(now, frames, *more))
+        if len(self._parts) > 1 and frames > 1:
+            moved = Moved(NEAR, 0, 0) if self._near() else moved
+            begin_all_boxes(self.engines)
+        return moved
 
     def _go_back(self, inner: Floats, walk: Walk, pool: Floats) -> None:
         """Go back to where islands and whole were."""
@@ -383,9 +385,7 @@ class Meetings(Islands):
         states = [engine.state for engine in self.engines]
         pairs = self._wheels.met([part.ropes for part in self._parts], states, self._ended)
         if self._touching:
-            boxes = [state.memory.contact.swept for state in states]
-            owners = np.repeat(np.arange(len(boxes)), [len(box) for box in boxes])
-            pairs |= meeting(np.concatenate(boxes)[:, :FROM], owners)
+            pairs |= met(states)
         return {pair for pair in pairs if not self._ended[[*pair]].all()}
 
     def _told_of(self, moved: Moved) -> Moved:

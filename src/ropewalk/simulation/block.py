@@ -57,7 +57,10 @@ def join_parts(blocks: list[Block]) -> list[Floats | None]:
     """Return `pairs` and `obstacles` of several blocks as one; None where there are none."""
     columns = [[block.pairs for block in blocks], [block.obstacles for block in blocks]]
     there = [[part for part in column if part is not None] for column in columns]
-    return [np.concatenate(parts) if parts else None for parts in there]
+    return [
+        (parts[0] if len(parts) == 1 else np.concatenate(parts)) if parts else None
+        for parts in there
+    ]
 
 
 def refuse_unless_count(name: str, value: Any) -> None:

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import numpy as np
 
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.core.ranges import ALL
-from ropewalk.core.status import OK
 from ropewalk.laws.contact import contact_forces
 from ropewalk.laws.pairs.table import CONTACTS, NORMAL, OTHER, OWN, PUSH, SPRING
 from ropewalk.methods.recording import Recording
-from ropewalk.simulation.block import Block, join_parts
 
 #: Columns of a contact: its segments, where it lies on each (0 to 1), R_n [N], the force on the first [N].
 COLUMNS = ("first", "second", "at_first", "at_second", "normal_force", "fx", "fy", "fz")
@@ -62,18 +58,15 @@ def on_obstacles(system: System, state: State, frames: int = 1) -> Floats | None
     return found[:frames]
 
 
-def one_by_one(
-    advance: Callable[[int, Recording], Block], frames: int, out: Recording, keep_going: bool
-) -> Block:
-    """Advance frame by frame, into buffers `out`, as what contacts remember is read between calls."""
-    parts: list[Block] = []
-    while len(parts) < frames:
-        block = advance(1, out.part(len(parts), len(parts) + 1))
-        if block.frames or not parts:
-            parts.append(block)
-        if not block.frames or (block.status != OK and not keep_going):
-            break
-    done = sum(part.frames for part in parts)
-    kept = out if done == frames else out.part(0, done)
-    times = np.concatenate([part.time for part in parts])
-    return Block(times, kept, block.status, *join_parts(parts))
+def touched(
+    system: System, state: State, out: Recording, frames: int
+) -> tuple[Floats | None, Floats | None]:
+    """Return what a block of `frames` in `out` holds of ropes on ropes, and of obstacles beside them.
+
+    Of more than one frame where no ropes touch each other in any.
+    """
+    pairs, obstacles = rope_contacts(state, frames), on_obstacles(system, state, frames)
+    if frames > 1:
+        pairs = None if pairs is None else np.broadcast_to(pairs, (frames, *pairs.shape[1:]))
+        obstacles = None if obstacles is None else out.contact.copy()
+    return pairs, obstacles

@@ -30,7 +30,8 @@ from ropewalk.methods.scratch import make_look
 from ropewalk.methods.watch import look_now
 from ropewalk.scene import Scene
 from ropewalk.simulation.block import Block, make_frames, refuse_unless_count
-from ropewalk.simulation.rope_contacts import on_obstacles, one_by_one, rope_contacts
+from ropewalk.simulation.far_apart import FarApart
+from ropewalk.simulation.rope_contacts import touched
 from ropewalk.simulation.snapshot import Snapshot
 from ropewalk.simulation.watcher import Watcher
 from ropewalk.words.annotations import unquoted
@@ -94,7 +95,7 @@ class Simulation(Driven):
         self.reason = ""  # set by a break: what is broken, and where
         self.falls: tuple[Fall, ...] = ()  # the islands that have ended the last call
         self.watchers: list[Watcher] = []
-        self.slices = self._engine.make_slices()
+        self.slices, self._far = self._engine.make_slices(), FarApart(self._engine)
         self._lengths = self.scene.lengths_change
         self._start, self._dt, self._step = 0.0, self.plan.dt, 0
         self._engine.begin()
@@ -185,7 +186,7 @@ class Simulation(Driven):
         look_now(self.system, self._state, look, self.time)
         record_frame(self.system, self._state, self.ledger, look, 0, out)
         out.energy[:, GRAVITY] -= self._gravity_zero
-        return Block(np.array([self.time]), out, OK, *self._touched(1))
+        return Block(np.array([self.time]), out, OK, *touched(self.system, self._state, out, 1))
 
     # -- moving on ----------------------------------------------------------------------
 
@@ -246,20 +247,16 @@ class Simulation(Driven):
         its last good frame; with `keep_going` it records on. It ends early where `slices.asked` says so.
         """
         out = out or make_frames(self._state, frames, self._lengths)
-        if frames > 1 and self._by_frames:
-            advance = partial(self.advance_frames, keep_going=keep_going)
-            return one_by_one(lambda count, part: advance(count, out=part), frames, out, keep_going)
         if self._dt != self.plan.dt:  # after a step of another length
             self._start, self._dt, self._step = self.time, self.plan.dt, 0
+        if frames > 1 and self._by_frames:
+            return self._far.advance(self, frames, out, keep_going)
         if frames:  # none lead nowhere: goals stay
             self._set_off(frames * self.plan.frame_interval)
         before = None if keep_going or not frames else self.state
         self._forget_break()
-        start, first = self._start, self._step
-        status, good = self._advance(self.plan.steps_per_frame, frames, out, not keep_going)
-        steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
-        times = np.asarray(start + steps * self._dt, dtype=np.float64)
-        block = Block(times, out, status, *self._touched(frames))
+        block, good = self._block(frames, out, not keep_going)
+        status = block.status
         if status == OK or (before is None and status == BROKEN):
             if frames:
                 self._arrive()
@@ -272,10 +269,13 @@ class Simulation(Driven):
                 self._advance(self.plan.steps_per_frame, good, out.part(0, 0))
         return self._told(block.head(good))
 
-    def _touched(self, frames: int) -> tuple[Floats | None, Floats | None]:
-        """Return what a block holds of ropes on ropes, and of obstacles beside them."""
-        state = self._state
-        return rope_contacts(state, frames), on_obstacles(self.system, state, frames)
+    def _block(self, frames: int, out: Recording, stop: bool) -> tuple[Block, int]:
+        """Advance by `frames` frames; return all, and how many are good."""
+        start, first = self._start, self._step
+        status, good = self._advance(self.plan.steps_per_frame, frames, out, stop)
+        steps = first + self.plan.steps_per_frame * np.arange(1, frames + 1)
+        times = np.asarray(start + steps * self._dt, dtype=np.float64)
+        return Block(times, out, status, *touched(self.system, self._state, out, frames)), good
 
     def _told(self, block: Block) -> Block:
         """Tell whoever watches of frames, and return them."""
