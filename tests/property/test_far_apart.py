@@ -156,3 +156,17 @@ def test_one_rope_that_touches_itself_within_a_call_is_taken_back(calls: list[in
     assert not touched[0]
     assert not touched[-1]
     assert max(calls) > 1
+
+
+def test_what_touched_last_is_forgotten_where_nothing_touches() -> None:
+    """Explicit steps leave out the force of contacts while there is none: what stands there is not added."""
+    clean, stale = (rw.Simulation(two("semi-implicit-euler", 0.1)) for _ in range(2))
+    for simulation in (clean, stale):
+        simulation.step()
+    for engine in (*stale._engine.engines, stale._engine):
+        engine.state.forces.node.contact[...] = 7.0
+    clean.step()
+    stale.step()
+    assert rows(stale) == 0
+    assert clean.arrays.reaction.tobytes() == stale.arrays.reaction.tobytes()
+    assert not any(one.state.forces.node.contact.any() for one in stale._engine.engines)

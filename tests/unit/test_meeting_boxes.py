@@ -9,10 +9,13 @@ import pytest
 
 from ropewalk.engine import meeting_boxes as reach
 from ropewalk.engine.contact_rows import Rows, differ, joined_rows, rows_among, rows_of, write_rows
-from ropewalk.laws.pairs.swept import FROM, LOW, TO, place_boxes, runs_of
+from ropewalk.engine.join import begin_boxes
+from ropewalk.laws.pairs.search import note_ropes
+from ropewalk.laws.pairs.swept import FROM, LOW, TO, place_boxes, runs_of, sweep
 from ropewalk.laws.pairs.table import BRAKE, CONTACTS, REACH
 from ropewalk.lowering import build
 from ropewalk.scene import Contact, Material, Rope, Scene, Straight
+from ropewalk.simulation import Simulation
 
 
 @pytest.mark.parametrize(("most", "run"), [(7, 16), (1 << 20, 16), (1 << 20, 3)])
@@ -129,7 +132,7 @@ def test_boxes_begin_where_ropes_are(monkeypatch: pytest.MonkeyPatch) -> None:
     lost[1, 3] = np.nan
     for end in (x, y, lost):
         swept = runs_of(rope)
-        place_boxes(x, end, there, radius, swept)
+        place_boxes(x, end, there, radius, swept, np.zeros((6, 25)))
         for box in swept:
             low, high = np.full(3, np.inf), np.full(3, -np.inf)
             for j in range(int(box[FROM]), int(box[TO]) + 1):
@@ -140,3 +143,28 @@ def test_boxes_begin_where_ropes_are(monkeypatch: pytest.MonkeyPatch) -> None:
             assert np.array_equal(box[:FROM], np.concatenate([low, high]), equal_nan=True)
     assert np.isnan(swept[0, [1, 4]]).all()
     assert np.isfinite(swept[1:]).all()
+
+
+def test_what_has_parted_has_been_where_it_was() -> None:
+    """Boxes follow the nodes' ways, and hold those of a segment until it parted, but none of later ones."""
+    rope = Rope(name="r", segments=3, length=0.6, diameter=0.02, shape=Straight(start=(0, 0, 0)),
+                made_of=Material(EA=1e4, mass_per_length=0.1))  # fmt: skip
+    scene = Scene(ropes=[rope], contact=Contact(), run={"method": "sdirk2", "time_step": 0.01})
+    engine = Simulation(scene)._engine
+    table, memory, x = engine.system.node.contact, engine.state.memory.contact, engine.state.x
+    begin_boxes(engine)
+    first, up, far = (x + np.array([[0.0], [y], [z]]) for y, z in ((0, 0), (0.5, 0), (0, 9.0)))
+    stiffness = engine.state.stiffness.copy()
+    sweep(first, up, memory)
+    stiffness[1] = 0.0
+    note_ropes(table, memory, stiffness)
+    sweep(up, far, memory)
+    boxes, owners = reach.been([engine])
+    assert not owners.any()
+    for j, ways in enumerate(((first, up, far), (first, up), (first, up, far))):
+        places = np.hstack([way[:, j : j + 2] for way in ways])
+        low, high = places.min(axis=1) - 0.011, places.max(axis=1) + 0.011
+        assert np.allclose(boxes[j], np.concatenate([low, high]), rtol=0.0, atol=1e-12), j
+    both = reach.been([engine, engine])
+    assert np.array_equal(both[0], np.concatenate([boxes, boxes]))
+    assert both[1].tolist() == [0, 0, 0, 1, 1, 1]

@@ -142,9 +142,10 @@ def begin_all_boxes(engines: Sequence[Engine]) -> None:
 
 def _begin_at(system: System, state: State, other: State) -> None:
     """Let a state's boxes begin anew where it is, and straight on to another one."""
-    radius, swept = system.node.contact.radius, state.memory.contact.swept
+    radius, memory = system.node.contact.radius, state.memory.contact
+    swept = memory.swept
     if radius.size:
-        place_boxes(state.x, other.x, state.stiffness, radius, swept)
+        place_boxes(state.x, other.x, state.stiffness, radius, swept, memory.hull)
     if swept.shape[1] == HELD_WIDTH:
         place_held(state.x, state.v, other.x, other.v, swept)
 

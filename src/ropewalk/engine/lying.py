@@ -9,6 +9,7 @@ import numpy as np
 from ropewalk.core.arrays import Floats
 from ropewalk.core.status import UNSOLVED
 from ropewalk.engine.engine import Engine, Fall
+from ropewalk.engine.meeting_boxes import been
 from ropewalk.laws.pairs.swept import FROM, HIGH, LOW
 
 
@@ -37,12 +38,14 @@ def _named(one: Engine, other: Engine) -> tuple[str, str, str]:
 
     Where none do it is a wheel of that one's.
     """
-    first, second = (engine.state.memory.contact.swept for engine in (one, other))
-    lower = first[:, None, LOW:HIGH] <= second[None, :, HIGH:FROM]
-    higher = second[None, :, LOW:HIGH] <= first[:, None, HIGH:FROM]
-    near = np.argwhere((lower & higher).all(axis=2))
-    touching = len(near) > 0 and one.system.node.contact.radius.size > 0
-    a, b = near[0] if touching else (0, 0)
-    rope, _ = one.model.layout.rope_of(int(first[a, FROM]))
-    there, _ = other.model.layout.rope_of(int(second[b, FROM]))
+    near, touching = np.zeros((1, 2), np.int64), False
+    if one.system.node.contact.radius.size:
+        first, second = (been([engine])[0] for engine in (one, other))
+        lower = first[:, None, LOW:HIGH] <= second[None, :, HIGH:FROM]
+        higher = second[None, :, LOW:HIGH] <= first[:, None, HIGH:FROM]
+        found = np.argwhere((lower & higher).all(axis=2))
+        near, touching = (found, True) if len(found) else (near, False)
+    a, b = near[0]
+    rope, _ = one.model.layout.rope_of(int(one.state.memory.contact.swept[a, FROM]))
+    there, _ = other.model.layout.rope_of(int(other.state.memory.contact.swept[b, FROM]))
     return rope, there, "rope" if touching else "a wheel that turns with rope"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -10,6 +11,9 @@ from ropewalk.core.arrays import Floats, Ints, State, System
 from ropewalk.laws.pairs.swept import FROM, HIGH, LOW, TO
 from ropewalk.laws.pairs.table import REACH
 from ropewalk.methods.verdict import LARGEST
+
+if TYPE_CHECKING:
+    from ropewalk.engine.engine import Engine
 
 CANDIDATES = 1 << 20  # pairs of boxes that are looked at at once
 NEAR = 7  # beside `core.status`: in a call of many frames some came near, it is to be of one frame
@@ -34,11 +38,26 @@ def boxes_at(system: System, state: State, *more: State) -> Floats:
     return np.concatenate(boxes).T
 
 
-def met(states: Sequence[State]) -> set[tuple[int, int]]:
-    """Return which of some states have boxes that overlap, see `meeting`."""
-    boxes = [state.memory.contact.swept for state in states]
-    owners = np.repeat(np.arange(len(boxes)), [len(box) for box in boxes])
-    return meeting(np.concatenate(boxes)[:, :FROM], owners)
+def been(engines: Sequence[Engine]) -> tuple[Floats, Ints]:
+    """Return the boxes of where the ropes of islands have been (k, 6) [m], and of which island each is."""
+    tables = [engine.system.node.contact for engine in engines]
+    memories = [engine.state.memory.contact for engine in engines]
+    nodes = [one.place.shape[1] for one in memories]
+    counts, first = [len(one.swept) for one in memories], np.cumsum([0, *nodes[:-1]])
+    swept, owners = (
+        np.concatenate([one.swept for one in memories]),
+        np.repeat(np.arange(len(counts)), counts),
+    )
+    wide = REACH * np.concatenate([np.append(one.radius, 0.0) for one in tables])[:-1]
+    there = np.concatenate([np.append(one.rope, -1) for one in memories])[:-1] >= 0
+    hull = np.concatenate([one.hull for one in memories], axis=1)
+    low = np.minimum(hull[:3, :-1], hull[:3, 1:]) - wide
+    high = np.maximum(hull[3:, :-1], hull[3:, 1:]) + wide
+    low[:, ~there], high[:, ~there] = np.inf, -np.inf
+    runs = swept[:, FROM].astype(np.int64) + first[owners]
+    lowest = np.minimum(swept[:, LOW:HIGH], np.minimum.reduceat(low, runs, axis=1).T)
+    highest = np.maximum(swept[:, HIGH:FROM], np.maximum.reduceat(high, runs, axis=1).T)
+    return np.hstack([lowest, highest]), owners
 
 
 def meeting(boxes: Floats, owners: Ints) -> set[tuple[int, int]]:

@@ -27,7 +27,7 @@ from ropewalk.engine.frames import Frames
 from ropewalk.engine.islands import Islands, walk_of
 from ropewalk.engine.join import begin_all_boxes, begin_boxes, join_own, spread_sums
 from ropewalk.engine.lying import falls_beside
-from ropewalk.engine.meeting_boxes import NEAR, joined, met
+from ropewalk.engine.meeting_boxes import NEAR, been, joined, meeting
 from ropewalk.engine.met_before import Ropes, is_as, met_before, misfit
 from ropewalk.engine.own_controls import own_controls, take_controls
 from ropewalk.engine.places import OwnLinks, own_links, places_in
@@ -385,7 +385,7 @@ class Meetings(Islands):
         states = [engine.state for engine in self.engines]
         pairs = self._wheels.met([part.ropes for part in self._parts], states, self._ended)
         if self._touching:
-            pairs |= met(states)
+            pairs |= meeting(*been(self.engines))
         return {pair for pair in pairs if not self._ended[[*pair]].all()}
 
     def _told_of(self, moved: Moved) -> Moved:

@@ -70,7 +70,7 @@ ROWS = tuple(
     f"memory.contact.{name}"
     for name in (
         *("pair", "grip", "near", "tally", "origin"),
-        *("box", "order", "tree", "rope", "books", "swept"),
+        *("box", "order", "tree", "rope", "books", "swept", "hull"),
     )
 )
 _COUNTED = (NODES, SEGMENTS, BETWEEN, ANCHORS, WINCHES, JOINTS, POINTS, SLIDES, INSIDE, WHEELS)

@@ -7,11 +7,11 @@ from ropewalk.core.jit import kernel, part
 from ropewalk.core.ranges import ALL, rows
 from ropewalk.laws.bending import bending_forces, bending_friction
 from ropewalk.laws.clamps import clamp_forces
+from ropewalk.laws.couplings import any_presses
 from ropewalk.laws.elastic import law_forces
 from ropewalk.laws.joints import tie
 from ropewalk.laws.nodes import add_node_force, node_forces, on_channels, remembers
 from ropewalk.laws.rare import (
-    any_acts,
     are_tied,
     has_bending,
     has_clamps,
@@ -151,10 +151,10 @@ def add_segments_over_mass(force, inverse_mass, a):
 
 
 @part
-def has_plain_forces(system):
-    """Tell whether nothing acts but springs, their friction and weight, and no nodes are tied."""
+def has_plain_forces(system, state):
+    """Tell whether nothing acts now but springs, their friction and weight, and no nodes are tied."""
     flags = has_bending(system) or system.flags[APPLIED] == 1
-    return not (flags or any_acts(system) or are_tied(system))
+    return not (flags or any_presses(system, state) or are_tied(system))
 
 
 @part

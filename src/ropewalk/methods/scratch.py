@@ -45,7 +45,9 @@ class Scratch(NamedTuple):
     turning: Floats  # (w, 7) what winches wind in a step, see `laws.winch`
     look: Look
     over: Floats  # (s,) 1 / (k L), see `spring_forces`
-    about: Floats  # (2,) whether any segment has friction, and whether `over` will do, see `look_ahead`
+    # (3,) whether any segment has friction, whether `over` will do, see `look_ahead`, and whether no law of
+    # nodes has a force, see `semi_implicit_euler.step`
+    about: Floats
 
 
 def make_scratch(state: State) -> Scratch:
@@ -56,7 +58,7 @@ def make_scratch(state: State) -> Scratch:
     ends = np.zeros(3), np.zeros(3)
     turning = make_turning(state)
     over = np.zeros(state.rest_length.shape[0])
-    look, about = make_look(state), np.zeros(2)
+    look, about = make_look(state), np.zeros(3)
     return Scratch(middle, x, v, dx, dv, *ends, mean, limiter, turning, look, over, about)
 
 
@@ -184,7 +186,7 @@ def _put_channel(source, result, p, q, lo, hi):
         put_row(source[k], result[k])
 
 
-_add_nodes, _clear_nodes = on_channels(_add_channel), on_channels(_clear_channel)
+_add_nodes, clear_nodes = on_channels(_add_channel), on_channels(_clear_channel)
 _put_nodes = on_channels(_put_channel)
 
 
@@ -223,7 +225,7 @@ def begin_forces(system, forces, weight, total):
         put_times(forces.bending, weight, total.bending)
     if limits(system):
         put_times(forces.limiter, weight, total.limiter)
-    _clear_nodes(system, total.node, total.node, 0.0, 0.0, 0, ALL)
+    clear_nodes(system, total.node, total.node, 0.0, 0.0, 0, ALL)
     _add_nodes(system, forces.node, total.node, weight, weight, 0, ALL)
     clear(total.applied)
     if system.flags[APPLIED] == 1:
@@ -239,7 +241,7 @@ def clear_forces(system, forces):
         clear(forces.bending)
     if limits(system):
         clear(forces.limiter)
-    _clear_nodes(system, forces.node, forces.node, 0.0, 0.0, 0, ALL)
+    clear_nodes(system, forces.node, forces.node, 0.0, 0.0, 0, ALL)
     clear(forces.applied)
 
 

@@ -13,7 +13,7 @@ from ropewalk.core.ranges import rows
 from ropewalk.laws.anchors import move_anchors
 from ropewalk.laws.inner import note_strains, relax
 from ropewalk.laws.ledger import account, book_growth
-from ropewalk.laws.rare import has_inner, winds
+from ropewalk.laws.rare import any_acts, has_inner, winds
 from ropewalk.laws.table import (
     accelerate,
     add_up_and_look,
@@ -32,7 +32,7 @@ from ropewalk.methods.peaks import (
     keep_springs,
     wanted,
 )
-from ropewalk.methods.scratch import axpy, push
+from ropewalk.methods.scratch import axpy, clear_nodes, push
 from ropewalk.methods.tiles import make_tiled_advance
 
 
@@ -89,6 +89,7 @@ def look_ahead(state, over, about):
 def prepare(state, scratch):
     """Prepare for steps."""
     look_ahead(state, scratch.over, scratch.about)
+    scratch.about[2] = 0.0
 
 
 @deferred()
@@ -119,10 +120,14 @@ def step(system, state, scratch, t, after, dt, ledger, tableau, lo, hi):
     x, v, a, middle = state.x, state.v, state.acceleration, scratch.middle
     elastic, friction = state.forces.elastic, state.forces.friction
     w, g = state.inverse_mass, system.gravity
-    plain, looks = has_plain_forces(system), wanted(state) and not adds_to_springs(system, state)
+    plain = has_plain_forces(system, state)
+    looks = wanted(state) and not adds_to_springs(system, state)
     if has_inner(system, state):
         note_strains(system, state)
     rubs = scratch.about[0] == 1.0
+    if plain and any_acts(system) and scratch.about[2] == 0.0:  # ropes that touch nothing now
+        clear_nodes(system, state.forces.node, state.forces.node, 0.0, 0.0, lo, hi)
+    scratch.about[2] = 1.0 if plain else 0.0
     if plain and not ledger and has_plain_springs(system, state):
         swing_under_springs(
             system, state, scratch.about, scratch.over, scratch.dx[0], dt, looks, lo, hi

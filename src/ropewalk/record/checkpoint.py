@@ -24,7 +24,7 @@ from ropewalk.record.place import CHECKPOINT as NAME
 from ropewalk.simulation import Snapshot
 from ropewalk.simulation.snapshot import GROWN, MET, lengthened
 
-SWEPT = "state.memory.contact.swept"
+SWEPT, HULL = "state.memory.contact.swept", "state.memory.contact.hull"
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,8 @@ def load(folder: Path, like: Snapshot) -> Checkpoint:
     """
     path, found = folder / NAME, read(folder)
     # those of older versions have none
-    known = {"layout": np.asarray(like.layout), SWEPT: like.state.memory.contact.swept}
+    contact = like.state.memory.contact
+    known = {"layout": np.asarray(like.layout), SWEPT: contact.swept, HULL: contact.hull}
     try:
         return Checkpoint(
             _fill(like, known | _apart(found), ""),

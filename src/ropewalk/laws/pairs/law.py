@@ -155,6 +155,7 @@ def memory(table: Pairs, x: Floats, stiffness: Floats, _held: Ints | None = None
         books=np.zeros(4 if s else 0),
         inside=np.zeros((len(table.inside), 2), np.int64),
         swept=runs_of(table.rope),
+        hull=np.repeat([[math.inf], [-math.inf]], 3, axis=0).repeat(x.shape[1] if s else 0, axis=1),
     )
     if s:
         note_ropes(table, found, stiffness)

@@ -367,7 +367,7 @@ def remember_pairs(x, v, dt, table, memory, tied):
     if count[SEEN] == 0:
         look_for_passes(place, x, memory, table)
     count[SEEN], count[ROUNDS], count[REFUSED] = 0, 0, 0
-    sweep(place, x, table, memory)
+    sweep(place, x, memory)
     for k in range(3):
         for i in range(x.shape[1]):
             memory.way[k, i] = x[k, i] - place[k, i]

@@ -9,6 +9,7 @@ from ropewalk.laws.pairs.boxes import begin_of, grow_tree, next_leaf, overlap
 from ropewalk.laws.pairs.distance import on_way, product
 from ropewalk.laws.pairs.easing import ease_levers
 from ropewalk.laws.pairs.strung_out import is_strung_out
+from ropewalk.laws.pairs.swept import settle
 from ropewalk.laws.pairs.table import (
     CONTACTS,
     LEAN,
@@ -135,13 +136,14 @@ def find_near(x, y, table, memory, tied):
 @deferred()
 def note_ropes(table, memory, stiffness):
     """Note which segments are rope, and have not parted; where that has changed lists are made anew."""
-    changed = 0
-    for j in range(memory.rope.shape[0]):
-        there = table.rope[j] if stiffness[j] > 0.0 else -1
-        if there != memory.rope[j]:
-            memory.rope[j] = there
-            changed += 1
+    changed, rope, own = 0, memory.rope, table.rope
+    for j in range(rope.shape[0]):
+        there = own[j] if stiffness[j] > 0.0 else -1
+        changed += 1 if there != rope[j] else 0
     if changed > 0:
+        settle(table, memory)  # what has parted has been where it was
+        for j in range(rope.shape[0]):
+            rope[j] = own[j] if stiffness[j] > 0.0 else -1
         memory.origin[0, 0] = NOWHERE
 
 

@@ -11,7 +11,8 @@ import math
 import numpy as np
 
 from ropewalk.core.arrays import Floats, Ints
-from ropewalk.core.jit import kernel, seldom
+from ropewalk.core.jit import kernel, seldom, small
+from ropewalk.core.peaks import greater, lesser
 from ropewalk.laws.pairs.table import REACH
 
 RUN = 1  # most segments of a run: boxes of long ones meet where no segment comes near
@@ -40,19 +41,44 @@ def runs_of(rope: Ints) -> Floats:
 
 
 @kernel
-def sweep(x, y, table, memory):
-    """Widen the boxes by all that moves from x to y, (3, n) [m]."""
-    swept = memory.swept
+def sweep(x, y, memory):
+    """Widen the hulls of nodes by the ways from x to y, (3, n) [m]: boxes follow, see `settle`."""
+    hull = memory.hull
+    _widen(x[0], y[0], hull[0], hull[3])
+    _widen(x[1], y[1], hull[1], hull[4])
+    _widen(x[2], y[2], hull[2], hull[5])
+
+
+@small
+def _widen(x, y, low, high):
+    for i in range(low.shape[0]):
+        low[i] = lesser(y[i], lesser(x[i], low[i]))
+        high[i] = greater(y[i], greater(x[i], high[i]))
+
+
+@kernel
+def settle(table, memory):
+    """Widen the boxes by the hulls of their nodes, and let these begin anew."""
+    swept, hull = memory.swept, memory.hull
     for run in range(swept.shape[0]):
         for j in range(int(swept[run, FROM]), int(swept[run, TO]) + 1):
             if memory.rope[j] < 0:
                 continue
             wide = REACH * table.radius[j]
             for k in range(3):
-                low = min(min(x[k, j], x[k, j + 1]), min(y[k, j], y[k, j + 1]))
-                high = max(max(x[k, j], x[k, j + 1]), max(y[k, j], y[k, j + 1]))
-                swept[run, LOW + k] = min(swept[run, LOW + k], low - wide)
-                swept[run, HIGH + k] = max(swept[run, HIGH + k], high + wide)
+                low = min(hull[k, j], hull[k, j + 1]) - wide
+                high = max(hull[3 + k, j], hull[3 + k, j + 1]) + wide
+                swept[run, LOW + k] = min(swept[run, LOW + k], low)
+                swept[run, HIGH + k] = max(swept[run, HIGH + k], high)
+    clear_hull(hull)
+
+
+@kernel
+def clear_hull(hull):
+    """Let the hulls of nodes begin anew."""
+    for k in range(3):
+        for i in range(hull.shape[1]):
+            hull[k, i], hull[3 + k, i] = np.inf, -np.inf
 
 
 @kernel
@@ -93,11 +119,12 @@ def with_held(swept: Floats, ahead: Floats) -> Floats:
 
 
 @seldom
-def place_boxes(x, y, stiffness, radius, swept):
+def place_boxes(x, y, stiffness, radius, swept, hull):
     """Let boxes begin about all that stands at x, and the straight ways from there to y, (3, n) [m].
 
     What is no finite number is told on, and so meets nobody.
     """
+    clear_hull(hull)
     for run in range(swept.shape[0]):
         for k in range(3):
             lowest, highest, lost = np.inf, -np.inf, False

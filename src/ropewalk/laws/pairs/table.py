@@ -125,7 +125,8 @@ class Memory(NamedTuple):
         Floats  # (4,) works so far: what pressed, what rubbed, the method's share, and LIFTED [J]
     )
     inside: Ints  # (p, 2) first and last segment of the line that each row of `Pairs.inside` does not touch
-    swept: Floats  # (k, 8) where segments have been, see `swept`
+    swept: Floats  # (k, 8) where segments have been, see `swept` ...
+    hull: Floats  # (6, n) ... but for the least and greatest places of nodes since then [m]
 
 
 @small

@@ -149,7 +149,7 @@ def wind_pairs(table, state, winches):
     if not changed:
         return
     note_ropes(table, memory, state.stiffness)
-    sweep(memory.place, x, table, memory)
+    sweep(memory.place, x, memory)
     sort_rows(memory)
     if not find_near(memory.place, x, table, memory, state.tied):
         memory.tally[FAULT] = FULL
