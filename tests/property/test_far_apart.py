@@ -13,6 +13,7 @@ from ropewalk.engine.islands import Islands
 from ropewalk.laws.pairs.table import CONTACTS
 from ropewalk.scene import Contact, Plane, Straight
 from ropewalk.simulation.block import Block, join
+from ropewalk.simulation.far_apart import FarApart
 
 FRAMES, RATE = 48, 240.0
 STEPS = {"implicit-euler": 1.0 / 240.0, "sdirk2": 1.0 / 480.0, "semi-implicit-euler": 2e-5}
@@ -160,7 +161,8 @@ def test_one_rope_that_touches_itself_within_a_call_is_taken_back(calls: list[in
 
 def test_what_touched_last_is_forgotten_where_nothing_touches() -> None:
     """Explicit steps leave out the force of contacts while there is none: what stands there is not added."""
-    clean, stale = (rw.Simulation(two("semi-implicit-euler", 0.1)) for _ in range(2))
+    scene = two("semi-implicit-euler", 0.1)
+    clean, stale = (rw.Simulation(scene, ledger=False) for _ in range(2))
     for simulation in (clean, stale):
         simulation.step()
     for engine in (*stale._engine.engines, stale._engine):
@@ -170,3 +172,19 @@ def test_what_touched_last_is_forgotten_where_nothing_touches() -> None:
     assert rows(stale) == 0
     assert clean.arrays.reaction.tobytes() == stale.arrays.reaction.tobytes()
     assert not any(one.state.forces.node.contact.any() for one in stale._engine.engines)
+
+
+@pytest.mark.parametrize("longest", [1, 4, 16])
+def test_what_is_taken_back_again_and_again_costs_little(longest: int) -> None:
+    """Where anything is near in all calls of more frames than so many: an eighth more, but for the first."""
+    far = FarApart(rw.Simulation(two("implicit-euler", 0.1))._engine)
+    done, lost, most = 0, 0, 0
+    while done < 5000:
+        count = far._frames(64)
+        stands = count <= longest
+        if count > 1:
+            far._note(count, stands)
+        most = max(most, count if stands else 0)
+        done, lost = done + (count if stands else 1), lost + (0 if stands else count)
+    assert most == longest
+    assert 0 < lost < done / 8 + 64

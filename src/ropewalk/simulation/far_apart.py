@@ -67,22 +67,27 @@ class FarApart:
             if not stands:
                 simulation.restore(before)
                 simulation._forget_break()
-        if stands:
-            self._rest -= frames
-            if self._rest <= 0 and self._most <= frames:
-                self._most *= GROWTH
-            return simulation._told(block.head(good))
-        self._most, self._rest = max(self._most // GROWTH, 1), DEAR * frames
-        return None
+        self._note(frames, stands)
+        return simulation._told(block.head(good)) if stands else None
+
+    def _note(self, frames: int, stand: bool) -> None:
+        """Take up that so many frames went into a call, and whether they stand."""
+        if not stand:
+            self._most = max(self._most // GROWTH, 1)
+            self._rest = max(self._rest, 0) + DEAR * frames
+            return
+        self._rest -= frames
+        if self._rest <= 0 and self._most <= frames:
+            self._most *= GROWTH
 
     def _frames(self, left: int) -> int:
         """Return how many of the frames that are left go into the next call: one where anything touches."""
-        if not self._goes or any(tally[CONTACTS] for tally, _ in self._memories()):
-            return 1
-        if self._most == 1:
+        touches = not self._goes or any(tally[CONTACTS] for tally, _ in self._memories())
+        if touches or self._most == 1:
             self._rest -= 1
-            self._most = 1 if self._rest > 0 else GROWTH
-        return min(left, self._most)
+        if self._most == 1 and self._rest <= 0:
+            self._most = GROWTH
+        return 1 if touches else min(left, self._most)
 
     @contextmanager
     def _watched(self, slices: Slices) -> Iterator[Callable[[], bool]]:
