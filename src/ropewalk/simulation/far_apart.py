@@ -101,8 +101,12 @@ class FarApart:
         for row in first:
             row[:] = 0
 
+        found = False  # a call that ends early goes back to a frame before
+
         def touches() -> bool:
-            return self._islands() is not islands or any(row.any() for row in first)
+            nonlocal found
+            found = found or self._islands() is not islands or any(row.any() for row in first)
+            return found
 
         slices.asked = lambda: touches() or (asked is not None and asked())
         try:
