@@ -82,6 +82,9 @@ class NodeLaw(NamedTuple):
     )
 
     given: Any = None  # part (table, state, x): what it has put in so far beyond that [J], where that is kept
+    still: Any = (
+        None  # part (table): whether all that it touches with stands, so that it gives nothing
+    )
 
     is_local: Any = (
         None  # part (table): whether its tangent writes the blocks on the band's diagonal only

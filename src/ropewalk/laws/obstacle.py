@@ -35,6 +35,7 @@ from ropewalk.laws.hardening import stiffnesses
 from ropewalk.laws.held_nodes import follow_held
 from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle_places import depths
+from ropewalk.laws.obstacle_pose import all_stand
 from ropewalk.laws.obstacle_rows import (
     KINDS,
     axle_of,
@@ -389,6 +390,7 @@ OBSTACLE = NodeLaw(
     kinks=kinks,
     energy=energy,
     given=given,
+    still=all_stand,
     at_rest=at_rest,
     bears=touched,
     cases=cases,

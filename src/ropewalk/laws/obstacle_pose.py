@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import math
 
-from ropewalk.core.jit import kernel, small
+from ropewalk.core.jit import kernel, part, small
 from ropewalk.laws.obstacle_shapes import probe
+from ropewalk.motions.registry import FIXED
 
 
 @small
@@ -83,3 +84,14 @@ def probe_turned(body, pose, x, y, z):
         nx, ny, nz = rotated(axle, c, s, nx, ny, nz)
         ax, ay, az = rotated(axle, c, s, ax, ay, az)
     return g, nx, ny, nz, ax, ay, az, ca, cb
+
+
+@part
+def all_stand(obstacles):
+    """Tell whether no body ever moves or turns."""
+    moving = 0
+    for o in range(obstacles.kind.shape[0]):
+        moving += 1 if obstacles.motion.kind[o] != FIXED or obstacles.turns.kind[o] != FIXED else 0
+        moving += 1 if obstacles.wheel[o] >= 0 else 0
+        moving += 1 if obstacles.spin[o, 0] != 0.0 else 0
+    return moving == 0

@@ -10,6 +10,7 @@ work does not count as made up. What a bound of the stretch gives does: it stops
 what friction gives, as it may where a held node stops at once, friction is stiff and the step long. A step
 that makes up a good part of all energy there is has no worth, where what all is carried along with does
 not count. What rounding makes up of next to nothing does not either: a rope that coasts has no other energy.
+With bending, where those may make up more, all laws together may make up little, see `all_energy`.
 """
 
 from __future__ import annotations
@@ -22,12 +23,14 @@ from ropewalk.laws.couplings import coupled_energy, coupled_work, couples
 from ropewalk.laws.elastic import CHANGE, stored_energy
 from ropewalk.laws.inner import gained_at_drums, heat
 from ropewalk.laws.ledger import energy_past_anchors
-from ropewalk.laws.rare import has_bending, has_inner, limits, winds
+from ropewalk.laws.rare import has_bending, has_inner, limits, parts, winds
+from ropewalk.methods.all_energy import made_beside_segments, taken
 from ropewalk.methods.rounding import EPSILON
 
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
 # is halved, as what is hard to solve must end somewhere; any part.
 MOST, MOST_OF_ANY = 0.002, 0.05
+MOST_IN_ALL = 0.0005  # [1] the same of what all laws together make up, with bending; of any part
 
 
 @part
@@ -50,14 +53,20 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
     before = stored_energy(system, state, state.x, state.inner)
     after = stored_energy(system, state, stage.x, ends)
     work = taken(mean.elastic, state.v, stage.v, dt)
-    if has_inner(system, state):
-        work -= heat(system.elastic, state.stiffness, state.rest_length, ends[CHANGE], dt)
-        if winds(system, state):
-            work += gained_at_drums(system, state, stage.x, ends, dt)
+    rubbed = taken(mean.friction, state.v, stage.v, dt)
     if has_bending(system):
         before += bent_energy(system, state, state.x)
         after += bent_energy(system, state, stage.x)
         work += taken(mean.bending, state.v, stage.v, dt)
+        if not (winds(system, state) or parts(system)):
+            in_all = after - before - work - rubbed
+            in_all += made_beside_segments(system, state, stage, mean, dt)
+            if is_too_much(system, state, stage, before, after, in_all, MOST_IN_ALL, dt):
+                return True
+    if has_inner(system, state):
+        work -= heat(system.elastic, state.stiffness, state.rest_length, ends[CHANGE], dt)
+        if winds(system, state):
+            work += gained_at_drums(system, state, stage.x, ends, dt)
     if limits(system):  # a bound may only take energy
         work += min(taken(mean.limiter, state.v, stage.v, dt), 0.0)
     if couples(system, state):  # what it stores; friction and impacts may only take
@@ -65,7 +74,13 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
         given = holds - held + coupled_work(system, mean.node, state.v, stage.v, dt)
         work -= max(given, 0.0)
         before, after = before + held, after + held
-    gain = after - before - work - min(taken(mean.friction, state.v, stage.v, dt), 0.0)
+    gain = after - before - work - min(rubbed, 0.0)
+    return is_too_much(system, state, stage, before, after, gain, most, dt)
+
+
+@part
+def is_too_much(system, state, stage, before, after, gain, most, dt):
+    """Tell whether a gain [J] is more than `most` [1] of the least there is of `before` and `after` [J]."""
     if gain <= most * before:
         return False
     mass, inverse_mass = state.mass, state.inverse_mass
@@ -110,17 +125,6 @@ def turned_over(system, state):
         if table.lead[r] == r:
             total += weight_times_length_of(table.lead, table.rope, r, mass, lengths, gravity)
     return total
-
-
-@kernel
-def taken(force, v0, v1, dt):
-    """Return the work that segment forces (3, n + 1) take up in a step [J], minus that on the nodes."""
-    total = 0.0
-    for k in range(3):
-        f, a, b = force[k], v0[k], v1[k]
-        for j in range(f.shape[0] - 2):
-            total += f[j + 1] * (a[j + 1] - a[j] + b[j + 1] - b[j])
-    return 0.5 * dt * total
 
 
 @kernel
