@@ -11,7 +11,7 @@ import pytest
 
 import ropewalk as rw
 from live.drive import do
-from ropewalk.live import touch
+from ropewalk.live import recorded_touch, touch
 from ropewalk.live.broadcast import Broadcast
 from ropewalk.live.packed_run import record
 from ropewalk.live.packed_touch import in_places, touch_streams
@@ -90,9 +90,7 @@ def table(result: Result, frame: int) -> dict[str, Any]:
 
 def test_a_replay_tells_wraps_as_the_run_s_table_does(run: Result) -> None:
     recorded = Recorded(run)
-    every = recorded.touched.every
-    assert every == 5  # 0.1 s at 50 frames a second
-    for frame in (5, 10):
+    for frame in (5, 7, run.frames - 1):  # the last was told as up to 0.1 s before it
         told = recorded.picture(frame).touch
         assert told.scalars["wrap_age"] == 0.0
         assert told.scalars["wraps"] == 1.0
@@ -107,9 +105,20 @@ def test_a_replay_tells_wraps_as_the_run_s_table_does(run: Result) -> None:
         assert math.exp(grip) == pytest.approx(known["ratio at slip [1]"])
         ratio = max(before, after) / min(before, after)
         assert ratio == pytest.approx(known["ratio [1]"])
-    late = recorded.picture(7).touch  # between two frames that are looked at
-    assert late.scalars["wrap_age"] == pytest.approx(0.04)
-    assert there(late.wraps) == pytest.approx(there(recorded.picture(5).touch.wraps))
+
+
+def test_of_long_ropes_wraps_are_told_now_and_then_and_at_last(
+    run: Result, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(recorded_touch, "_FEW", run.nodes - 1)
+    monkeypatch.setattr(recorded_touch, "_PER_NODE", 0.14 / run.nodes)
+    recorded, last = Recorded(run), run.frames - 1
+    assert recorded.touched.every == 7  # 0.14 s at 50 frames a second
+    ages = {n: recorded.picture(n).touch.scalars["wrap_age"] for n in (7, 9, 14, last)}
+    assert last % 7
+    assert ages == pytest.approx({7: 0.0, 9: 0.04, 14: 0.0, last: 0.0})
+    late = there(recorded.picture(9).touch.wraps)
+    assert late == pytest.approx(there(recorded.picture(7).touch.wraps))
 
 
 def test_a_live_session_tells_them_as_a_replay_does(run: Result) -> None:

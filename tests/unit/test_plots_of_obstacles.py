@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import math
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -20,6 +21,7 @@ from ropewalk.record.contacts import each_frame, lying
 from ropewalk.record.export import export
 from ropewalk.record.result import Result
 from ropewalk.scene import Cylinder, Obstacle, Plane, Scene, Sphere, Velocity, loads
+from ropewalk.scene.overrides import apply_overrides
 from verification.test_meshes import block
 
 TURNS = 1.5
@@ -104,7 +106,90 @@ def test_what_friction_would_hold_does_not_flatten_the_tension() -> None:
     largest = result.tension[result.frames - 1].max()
     (coil,) = coils(result, result.frames - 1)
     assert coil.held.max() > 10.0 * largest
-    assert plots.contact(result).axes[1].get_ylim()[1] == pytest.approx(2.0 * largest)
+    low, high = plots.contact(result).axes[1].get_ylim()
+    assert high == pytest.approx(2.0 * largest)
+    assert low == 0.0  # the margin of the dashed line made it negative, where no tension was
+
+
+def test_nothing_is_told_to_slip_where_ropes_press_on_a_wrap() -> None:
+    """Of a prusik "slips at 29.68" was told, and the line went to 105 times its slack end's tension."""
+    result = rw.simulate(apply_overrides(rw.preset("clove-hitch"), ["run.duration=0.05"]))
+    frame = result.frames - 1
+    table = result.to_pandas("wraps")
+    now = table[table["time [s]"] == result.time[frame]]["ratio at slip [1]"]
+    (free, pressed) = coils(result, frame)
+    assert [free.pressed, pressed.pressed] == now.isna().tolist() == [False, True]
+    assert pressed.held is None
+    figure = plots.contact(result)
+    (dashed,) = (line for line in figure.axes[1].lines if line.get_label() == "_held")
+    assert dashed.get_ydata() == pytest.approx(free.held)
+    notes = " ".join(" ".join(text.get_text().split()) for text in figure.texts)
+    assert notes.count("slips at") == 1
+    assert notes.count("ropes press on it, too: where it slips is not known") == 1
+
+
+def test_what_friction_would_hold_ends_at_the_ratio_that_is_told() -> None:
+    """With how far the rope turns alone it ended above: a wrap that goes along its drum slips before."""
+    scene = rw.preset("capstan")
+    result = rw.simulate(scene.replace(run=scene.run.replace(duration=0.05)))
+    (coil,) = coils(result, result.frames - 1)
+    assert coil.held is not None
+    assert coil.held.max() / coil.slack == pytest.approx(coil.at_slip, rel=1e-12)
+    pushed = replace(coil, tension=coil.tension - 2.0 * coil.slack)
+    assert pushed.slack < 0.0
+    assert pushed.held is None  # a line went from -0.83 N to -8.5 N
+
+
+def test_the_figure_shows_a_time_at_which_something_touches() -> None:
+    """Of a rope that had left its table it had empty axes, without a word."""
+    up = {"kind": "velocity", "velocity": (0.0, 0.0, 0.1)}
+    stuff = rw.Material(EA=1e3, mass_per_length=0.1, axial_damping=2.0)
+    shape = {"kind": "straight", "start": (0, 0, 0.005), "end": (0.3, 0, 0.005)}
+    rope = rw.Rope(segments=6, length=0.3, made_of=stuff, diameter=0.01, shape=shape)
+    scene = rw.Scene(
+        ropes=[rope],
+        anchors=[rw.Anchor(node=0, motion=up), rw.Anchor(node=-1, motion=up)],
+        obstacles=[Plane()],
+        run=rw.RunSettings(duration=0.3, time_step=1.0 / 240.0, method="implicit-euler"),
+    )
+    result = rw.simulate(scene)
+    touching = np.flatnonzero(result.contact_force.any(axis=(1, 2)))
+    last, end = result.time[touching[-1]], result.time[-1]
+    assert 0.0 < last < end
+
+    def told(time: float | None = None) -> tuple[str, str, float]:
+        figure = plots.contact(result, time)
+        title, *notes = (" ".join(text.get_text().split()) for text in figure.texts)
+        highest = max(line.get_ydata().max() for line in figure.axes[0].lines)
+        return figure.get_suptitle(), " ".join((title, *notes)), float(highest)
+
+    title, notes, highest = told()
+    assert f"contact at t = {last:.4g} s" in title
+    assert f"After t = {last:.4g} s nothing touches, up to the last frame at {end:.4g} s." in notes
+    assert highest > 0.0
+    title, notes, highest = told(float(end))
+    assert f"contact at t = {end:.4g} s" in title
+    assert f"Nothing touches at this time; at {last:.4g} s something does." in notes
+    assert highest == 0.0
+    assert "ouches" not in told(float(last))[1]
+
+
+def test_ropes_that_carry_the_same_are_both_seen() -> None:
+    """In a reef knot the second hid the first."""
+    shape = {"kind": "straight", "start": (0, 0, 0), "end": (0.3, 0, 0)}
+    stuff = rw.Material(EA=1e3, mass_per_length=0.1, axial_damping=2.0)
+    ropes = [
+        rw.Rope(name=name, segments=6, length=0.3, made_of=stuff, diameter=0.01, shape=shape)
+        for name in ("one", "two")
+    ]
+    scene = rw.Scene(
+        ropes=ropes, obstacles=[Plane(point=(0, 0, -0.01))], run=rw.RunSettings(duration=0.1)
+    )
+    for axes in plots.contact(rw.simulate(scene)).axes:
+        one, two = (line for line in axes.lines if len(line.get_xdata()) > 2)
+        assert one.get_ydata() == pytest.approx(two.get_ydata())
+        assert one.get_linewidth() > 1.5 * two.get_linewidth()
+        assert one.get_markersize() > 1.3 * two.get_markersize()
 
 
 def test_the_figure_draws_what_was_recorded(slipping: Result) -> None:

@@ -27,9 +27,9 @@ from ropewalk.record.result import Result
 
 FORCE = "contact_force"
 NAMES = (FORCE, OBSTACLE_FORCE, ROPE_CONTACTS, CONTACT_WORK, PULLEYS, "rest_length")
-# Wraps are found anew after so long [s of the run], of long ropes after so long for each node: that takes
-# longer than all else of a frame.
-_EVERY, _PER_NODE = 0.1, 1e-3
+# Of more nodes wraps are found anew after so long for each node [s of the run], and at the last frame: that
+# takes longer than all else of a frame, 20 us a node.
+_FEW, _PER_NODE = 200, 1e-3
 _RUB = ENTRIES.index("friction")
 #: In the provenance of a session's part: its books go on from those of the part before.
 BOOKS_GO_ON = "contact_books_go_on"
@@ -63,7 +63,8 @@ class RecordedTouch:
         self.result = result
         #: What its books have of works that do not count, see `follow`; None: what its first frame has.
         self.since: Works | None = None
-        least = max(_EVERY, _PER_NODE * result.layout.nodes)
+        nodes = result.layout.nodes
+        least = _PER_NODE * nodes if nodes > _FEW else 0.0
         self.every = min(max(1, math.floor(least / result.plan.frame_interval + 1e-9)), piece)
         self._lengths = [rope.segment_length for rope in result.scene.ropes]
         self._model: Model | None = None
@@ -93,7 +94,8 @@ class RecordedTouch:
         room = self.room
         force = data.get(OBSTACLE_FORCE, data[FORCE])[row]
         pairs = data[ROPE_CONTACTS][row] if ROPE_CONTACTS in data else None
-        wraps = self._wraps(data, row - row % self.every, frame - row % self.every)
+        late = 0 if frame == self.result.frames - 1 else row % self.every
+        wraps = self._wraps(data, row - late, frame - late)
         time, rubbed = float(data["time"][row]), self.works_at(data, row).rubbed
         return touch_of(room, force, pairs, wraps, time, rubbed)
 

@@ -68,6 +68,10 @@ class Contacts(NamedTuple):
         surfaces what they do together, see `held_along`. With a share of that, see `using`, it is the same
         power of it: ln(ratio) / ln(ratio at slip) is taken. See `statics.wraps`.
         """
+        return float(np.exp(self.held_by(friction, rows).sum()))
+
+    def held_by(self, friction: float, rows: Ints) -> Floats:
+        """Return by how much ln T may rise over each contact of a stretch, (r,) [1], see `at_slip`."""
         spare = (friction * self.turn[rows]) ** 2 - self.aside[rows] ** 2
         spare = np.sqrt(np.maximum(spare, 0.0))
         beside = np.bincount(self.node)[self.node[rows]] > 1 if rows.size else np.zeros(0, bool)
@@ -75,7 +79,8 @@ class Contacts(NamedTuple):
             all_of = np.flatnonzero(self.node == self.node[rows[row]])
             parts = (part[all_of] for part in (self.normal, self.given, self.turn, self.aside))
             spare[row] = held_along(*parts)
-        return float(np.exp(spare.sum()))
+        found: Floats = spare
+        return found
 
     def using(self, share: float) -> Contacts:
         """Return the same contacts with a share [1] of what friction has along the rope, as of `at_slip`.
