@@ -173,7 +173,7 @@ def tells_what_it_has(window: Window, run: Result) -> None:
         every = run.to_pandas("wraps", times=[time])
         (table,) = every[every["obstacle"] == "drum"].to_dict("records")
         assert told[0] == pytest.approx(np.degrees(table["angle [rad]"]), abs=1.0)
-        assert told[3] == pytest.approx(table["ratio [1]"], rel=0.005)
+        assert told[3] == pytest.approx(table["ratio [1]"], rel=0.01)
         assert told[4] == pytest.approx(table["ratio at slip [1]"], rel=0.02)
     took = -run.contact_work["drum"]["friction"][-1]
     text = window.page.locator("#friction-taken").inner_text()

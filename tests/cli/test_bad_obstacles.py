@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from cli.test_bad_input import refused, tree
-from ropewalk.scene import SceneError, loads
+from ropewalk.scene import SceneError, load, loads
 
 SCENE = """
 [run]
@@ -127,3 +129,37 @@ def test_a_rope_that_starts_through_itself(ropewalk: Any, scene: Path, command: 
     said = "starts 10 mm inside segment 0 of rope 'rope', half of both diameters counted in"
     refused(ropewalk(command, scene), f"{scene}: rope[0].shape: ", said, "draw the ropes apart")
     assert tree(scene.parent) == ["scene.toml"]
+
+
+@pytest.mark.parametrize("radius", ["", "edge_radius = 0\n"])
+def test_faulty_sizes_of_a_box_are_told_beside_its_radius(radius: str) -> None:
+    """They were hidden by a radius that is missing, or 0."""
+    box = f'[[obstacle]]\nkind = "box"\ncenter = [0, 0, -1]\nhalf_sizes = [1, 0, 1]\n{radius}'
+    with pytest.raises(SceneError) as refusal:
+        loads(SCENE + box)
+    told = {fault.path: fault.rule for fault in refusal.value.faults}
+    assert told["obstacle[0].half_sizes"] == "must all three be greater than 0"
+    assert set(told) == {"obstacle[0].half_sizes", "obstacle[0].edge_radius"}
+
+
+def test_files_of_solids_have_remedies_and_safe_ones(tmp_path: Path) -> None:
+    """numpy's words say how to load "unsafely" what is pickled; others named no file, or no remedy."""
+    grid = np.empty((4, 4, 4), dtype=object)
+    np.savez(tmp_path / "objects.npz", values=grid, spacing=0.1)
+    (tmp_path / "pickled.npz").write_bytes(pickle.dumps({"values": [1.0]}))
+    (tmp_path / "folder.stl").mkdir()
+    vertices = "vertices = [[0, 0, 0]]\n"
+    cases = {
+        'kind = "sdf"\nfile = "objects.npz"\n': "numpy.savez(file, values=..., spacing=...)",
+        'kind = "sdf"\nfile = "pickled.npz"\n': "numpy.savez(file, values=..., spacing=...)",
+        'kind = "mesh"\nfile = "folder.stl"\n': '"folder.stl" - is a folder: name a file in it',
+        f'kind = "mesh"\nfile = "a.stl"\n{vertices}': 'file: "a.stl" - give either file or vertices',
+        f'kind = "sdf"\nfile = "a.npz"\n{vertices}': 'file: "a.npz" - give one of file, values',
+    }
+    for table, said in cases.items():
+        (tmp_path / "scene.toml").write_text(f"{SCENE}[[obstacle]]\n{table}")
+        with pytest.raises(SceneError) as refusal:
+            load(tmp_path / "scene.toml")
+        assert said in str(refusal.value)
+        assert "allow_pickle" not in str(refusal.value)
+        assert "unsafe" not in str(refusal.value)

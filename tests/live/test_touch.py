@@ -111,14 +111,14 @@ def test_of_long_ropes_wraps_are_told_now_and_then_and_at_last(
     run: Result, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(recorded_touch, "_FEW", run.nodes - 1)
-    monkeypatch.setattr(recorded_touch, "_PER_NODE", 0.14 / run.nodes)
+    monkeypatch.setattr(recorded_touch, "_PER_NODE", 0.06 / run.nodes)
     recorded, last = Recorded(run), run.frames - 1
-    assert recorded.touched.every == 7  # 0.14 s at 50 frames a second
-    ages = {n: recorded.picture(n).touch.scalars["wrap_age"] for n in (7, 9, 14, last)}
-    assert last % 7
-    assert ages == pytest.approx({7: 0.0, 9: 0.04, 14: 0.0, last: 0.0})
-    late = there(recorded.picture(9).touch.wraps)
-    assert late == pytest.approx(there(recorded.picture(7).touch.wraps))
+    assert recorded.touched.every == 3  # 0.06 s at 50 frames a second
+    ages = {n: recorded.picture(n).touch.scalars["wrap_age"] for n in (3, 5, 6, last)}
+    assert last % 3
+    assert ages == pytest.approx({3: 0.0, 5: 0.04, 6: 0.0, last: 0.0})
+    late = there(recorded.picture(5).touch.wraps)
+    assert late == pytest.approx(there(recorded.picture(3).touch.wraps))
 
 
 def test_a_live_session_tells_them_as_a_replay_does(run: Result) -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 import ropewalk as rw
 from ropewalk.statics import NoRest, static_shape
+from ropewalk.statics.wraps import sliding_words
 
 FRICTION = 0.3  # holds up to 16.7 degrees
 
@@ -74,3 +76,30 @@ def test_friction_that_carries_nothing_is_not_told() -> None:
     ]
     assert wrap.friction > 0.0
     assert wrap.words == "node 20 lies on 'ground'"
+
+
+def test_no_slope_is_told_of_what_is_level_or_without_friction() -> None:
+    """Of a level floor it was "on slopes of up to 16.7 degrees", of smooth drums "of up to 0 degrees"."""
+
+    def slid(slope: float, friction: float) -> str:
+        up = np.array([math.sin(slope), 0.0, math.cos(slope)])
+        down = np.array([math.cos(slope), 0.0, -math.sin(slope)])
+        rope = rw.Rope(
+            segments=4, length=0.4, diameter=0.01, made_of=rw.Material(EA=1e4, mass_per_length=0.1),
+            shape={"kind": "straight", "start": tuple(0.005 * up), "end": tuple(0.005 * up + 0.4 * down)},
+        )  # fmt: skip
+        floor = {"kind": "plane", "name": "floor", "normal": tuple(up), "friction": friction}
+        scene = rw.Scene(ropes=[rope], anchors=[rw.Anchor(node=0)], obstacles=[floor])
+        (wrap, *_) = static_shape(scene, strict=False).wraps
+        assert wrap.slope == pytest.approx(slope, abs=1e-6)
+        return sliding_words((replace(wrap, use=1.0 if friction else 0.0),))
+
+    level = slid(0.0, 0.3)
+    assert "On 'floor' (friction 0.3) friction carries all it can: it is level there" in level
+    assert "slope" not in level
+    assert level.endswith(". Give more friction, or an anchor")
+    assert "slopes of up to atan(friction) = 16.7 degrees" in slid(0.1, 0.3)
+    smooth = slid(0.0, 0.0)
+    assert "'floor' has no friction" in smooth
+    assert "slope" not in smooth
+    assert smooth.endswith(". Give friction, or an anchor")

@@ -230,6 +230,20 @@ def test_quantities_of_a_file_are_shown_as_they_were_given(tmp_path: Path) -> No
         rw.sheet("hanging-rope", run=False, convergence=False).section("As given")
 
 
+def test_a_share_is_shown_as_a_plain_number(tmp_path: Path) -> None:
+    """It read "30 %, 0.3 1"."""
+    text = TEXT + '\n[[obstacle]]\nkind = "plane"\npoint = [0, 0, -9]\nfriction = "30 %"\n'
+    file = tmp_path / "job.toml"
+    file.write_text(text, encoding="utf-8")
+    found = {one.path: str(one) for one in as_given(file, loads(text))}
+    assert found["obstacle[0].friction"] == "obstacle[0].friction = 30 %, 0.3"
+    flag = "obstacle[0].friction=5 %"
+    found = {
+        one.path: str(one) for one in as_given(file, apply_overrides(loads(text), [flag]), [flag])
+    }
+    assert found["obstacle[0].friction"] == "obstacle[0].friction = 5 %, 0.05"
+
+
 def test_quantities_of_flags_are_shown_as_they_were_given(tmp_path: Path) -> None:
     """Of a preset, too. A flag takes the place of the file's; of two the last one stands."""
     file = tmp_path / "job.toml"

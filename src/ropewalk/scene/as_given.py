@@ -69,7 +69,7 @@ def _of_flag(scene: Scene, path: str, given: Any) -> Iterator[AsGiven]:
     field, where = places.field(0)
     stored, unit = places.value(0), unit_of(field)
     if unit and _with_unit(given) and _same(in_unit(given, unit), stored):
-        yield AsGiven(where, _shown(given), f"{_shown(stored)} {unit}")
+        yield AsGiven(where, _shown(given), _with(unit, stored))
 
 
 def _same(given: Any, stored: Any) -> bool:
@@ -92,13 +92,18 @@ def _quantities(model: Model, table: Mapping[str, Any], path: str) -> Iterator[A
                 if isinstance(one, Model) and isinstance(part, Mapping):
                     yield from _quantities(one, part, f"{here}[{i}]")
         elif name in units and _with_unit(given) and in_unit(given, units[name]) == value:
-            yield AsGiven(here, _shown(given), f"{_shown(value)} {units[name]}")
+            yield AsGiven(here, _shown(given), _with(units[name], value))
 
 
 def _with_unit(given: Any) -> bool:
     if isinstance(given, list):
         return any(_with_unit(part) for part in given)
     return isinstance(given, str) and given.strip()[:1] in tuple("0123456789+-.")
+
+
+def _with(unit: str, value: Any) -> str:
+    """Return a stored value with its unit; a plain number has none."""
+    return _shown(value) if unit == "1" else f"{_shown(value)} {unit}"
 
 
 def _shown(value: Any) -> str:

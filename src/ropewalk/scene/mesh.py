@@ -79,7 +79,7 @@ class Mesh(_Surface):
         if not isinstance(data, dict) or not isinstance(data.get("file"), str):
             return data
         if "vertices" in data or "faces" in data:
-            refuse([Fault("file", NO_VALUE, "give either file or vertices and faces")])
+            refuse([Fault("file", data["file"], "give either file or vertices and faces")])
         from ropewalk.scene.csv_columns import folder_of
         from ropewalk.scene.surfaces import read_mesh
 
@@ -123,7 +123,8 @@ class Sdf(_Surface):
             return data
         if len(given) > 1 or "vertices" in data or "faces" in data:
             rule = "give one of file, values, or vertices and faces"
-            refuse([Fault(given[0], NO_VALUE, rule)])
+            shown = data["file"] if given[0] == "file" else NO_VALUE
+            refuse([Fault(given[0], shown, rule)])
         from ropewalk.scene.csv_columns import folder_of
         from ropewalk.scene.surfaces import grid_of, surface_of
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, Literal
 
-from pydantic import AliasChoices, Field, model_validator
+from pydantic import AliasChoices, Field, field_validator, model_validator
 
 from ropewalk.scene.base import (
     Flag,
@@ -128,10 +128,15 @@ class Box(Tumbling):
         "How it is turned: along the axis, as long as the angle", "rad", default=(0, 0, 0)
     )
 
+    @field_validator("half_sizes")
+    @classmethod
+    def _check_sizes(cls, value: tuple[float, ...]) -> tuple[float, ...]:
+        if not min(value) > 0.0:
+            refuse([Fault("", value, "must all three be greater than 0")])
+        return value
+
     @model_validator(mode="after")
     def _check(self) -> Box:
-        if not min(self.half_sizes) > 0.0:
-            refuse([Fault("half_sizes", self.half_sizes, "must all three be greater than 0")])
         if self.edge_radius > (least := min(self.half_sizes)):
             rule = f"must be at most the least of half_sizes ({least:g} m)"
             refuse([Fault("edge_radius", self.edge_radius, rule)])

@@ -29,6 +29,8 @@ _DISAGREE = (
     "counter-clockwise seen from outside (a mesh editor's 'recalculate normals')"
 )
 
+_PLAIN = "save plain arrays of floats by numpy.savez(file, values=..., spacing=...)"
+
 Triangles = tuple[list[list[float]], list[list[int]]]
 
 
@@ -94,7 +96,7 @@ def _joined(
 
 def _refuse_absent(path: Path, file: str) -> None:
     if path.is_dir():
-        refuse([Fault("file", file, "is a folder")])
+        refuse([Fault("file", file, "is a folder: name a file in it")])
     if not path.exists():
         refuse([Fault("file", file, f"no such file ({path})")])
 
@@ -118,7 +120,9 @@ def grid_of(folder: Path, given: dict[str, Any]) -> tuple[NDArray[np.float64], f
         except PydanticCustomError:
             raise
         except Exception as error:  # zip, header or pickle
-            refuse([Fault("file", file, f"cannot be read as .npz: {error}")])
+            pickled = "pickle" in str(error)  # numpy would have it read unsafely
+            why = "it holds Python objects, or is no file of numpy's" if pickled else error
+            refuse([Fault("file", file, f"cannot be read as .npz: {why}; {_PLAIN}")])
     shown = "" if file is None else f" (of {file})"
     if given["values"] is None or given["spacing"] is None:
         absent = "values" if given["values"] is None else "spacing"

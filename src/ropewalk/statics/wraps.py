@@ -68,11 +68,17 @@ class Wrap:
     # Sum of the normal forces of ropes on its nodes [N]. Where they press noticeably it depends on their
     # friction, too, what is held: neither the interval nor the share is known.
     ropes: float = 0.0
+    slope: float = math.nan  # of the obstacle under its steepest node, 0 on top of it [rad]
 
     @property
     def nodes(self) -> int:
         """How many nodes it has."""
         return self.last - self.first + 1
+
+    @property
+    def is_level(self) -> bool:
+        """Whether it lies straight on what is level there."""
+        return self.slope < _LEVEL and self.angle < _LEVEL
 
     @property
     def where(self) -> str:
@@ -176,7 +182,7 @@ def going_on_words(lie: tuple[Wrap, ...]) -> str:
 def on_the_way_words(lie: tuple[Wrap, ...], way: float, *, patient: bool) -> str:
     """Return what is known of ropes that went so far [m], and were on their way yet when time was up.
 
-    A look that was not `patient` took a fifth of the steps that settling takes.
+    A look that was not `patient` took a seventh of the steps that settling takes.
     """
     found = f"no shape of rest was found: after {way:.3g} m the ropes still slide or fall"
     longer = "" if patient else "`ropewalk settle` looks longer"
@@ -185,9 +191,24 @@ def on_the_way_words(lie: tuple[Wrap, ...], way: float, *, patient: bool) -> str
 
 def sliding_words(lie: tuple[Wrap, ...]) -> str:
     """Return where friction carries all it can, and what to change; "" where it nowhere does."""
-    full = [wrap for wrap in lie if wrap.use >= SLIPS or wrap.friction == 0.0]
-    if not full:
-        return ""
+    full = [wrap for wrap in lie if wrap.use >= SLIPS and wrap.friction > 0.0]
+    smooth = sorted({repr(wrap.obstacle) for wrap in lie if wrap.friction == 0.0})
+    said = []
+    if full:
+        said.append(f"On {_named(full)} friction carries all it can{_what_holds(full)}")
+    if smooth:
+        has = "has" if len(smooth) == 1 else "have"
+        said.append(
+            f"{', '.join(smooth)} {has} no friction, which could hold ropes along the surface"
+        )
+    if said:
+        turns = ", more turns" if any(wrap.angle > _LEVEL for wrap in full) else ""
+        said.append(f"Give {'more ' if full else ''}friction{turns}, or an anchor")
+    return ". ".join(said)
+
+
+def _named(full: list[Wrap]) -> str:
+    """Return on what stretches lie, with the coefficients of friction."""
     own = {(wrap.obstacle, wrap.friction) for wrap in full}
     several = {name for name, _ in own if sum(other == name for other, _ in own) > 1}
     rubs = {
@@ -196,16 +217,21 @@ def sliding_words(lie: tuple[Wrap, ...]) -> str:
         + f"friction {wrap.friction:g})"
         for wrap in full
     }
-    names = ", ".join(sorted(rubs))
-    remedy = "Give more friction, more turns, or an anchor"
-    if _shared(full):  # as in a groove, whose sides hold on steeper slopes than one plane would
-        return f"On {names} friction carries all it can. {remedy}"
-    slope = min(math.degrees(math.atan(wrap.friction)) for wrap in full)
-    which = " with the least of them" if len(rubs) > 1 else ""
+    return ", ".join(sorted(rubs))
+
+
+def _what_holds(full: list[Wrap]) -> str:
+    """Return what friction holds there; "" in a groove, whose sides hold on steeper slopes than one plane."""
+    if _shared(full):
+        return ""
+    steep = [wrap for wrap in full if not wrap.is_level]
+    if not steep:
+        return ": it is level there, and holds against up to friction times what presses on it"
+    slope = min(math.degrees(math.atan(wrap.friction)) for wrap in steep)
+    which = " with the least of them" if len({wrap.friction for wrap in steep}) > 1 else ""
     return (
-        f"On {names} friction carries all it can: it holds on slopes of up to atan(friction) = "
-        f"{slope:.4g} degrees{which}, and round a drum by a factor of up to exp(friction angle) of the "
-        f"tensions. {remedy}"
+        f": it holds on slopes of up to atan(friction) = {slope:.4g} degrees{which}, and round a drum by a "
+        "factor of up to exp(friction angle) of the tensions"
     )
 
 
@@ -306,6 +332,7 @@ def _wrap(
         wider=wider,
         beyond=beyond,
         ropes=pressed,
+        slope=math.acos(min(float((contacts.normal[rows] @ model.scene.up).min()), 1.0)),
         beside=tuple(model.scene.obstacles[o].name for o in beside(contacts, rows)),
     )
 
