@@ -208,7 +208,7 @@ def _draw_forces(axes: Axes, result: Result, frame: int) -> bool:
         arc, own = node_arcs(result, frame, span.name), slice(span.first, span.last + 1)
         (line,) = axes.plot(arc, sizes[own], label=escape(span.name), **_line(result, number))
         if cancels:
-            dotted = {
+            dotted: dict[str, Any] = {
                 "linestyle": ":",
                 "linewidth": line.get_linewidth(),
                 "alpha": line.get_alpha(),
