@@ -52,13 +52,12 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
     `now` holds the time of `x` and `v`, and that of the memory [s]. Where `force` has more rows they get, for
     one obstacle after another, what presses and what rubs, 3 rows each.
     """
-    first, last = max(lo, 0), min(hi, x.shape[1])  # with no index below 0 loops vectorise
+    first, last = max(lo, 0), min(hi, x.shape[1])
     place, held, apart = memory.place, memory.held, force.shape[0] > 3
     since = now[0] - now[1]
     find_rates(x, v, obstacles, memory, now)
     for row in range(force.shape[0]):
-        for i in range(first, last):
-            force[row, i] = 0.0
+        clear_nodes(force, row, first, last)
     for o in range(obstacles.kind.shape[0]):
         hub, axle, grip = obstacles.hub[o], obstacles.axle[o], memory.grip[o]
         slip = memory.slip[o]
@@ -87,9 +86,12 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             k, c, depth = grip[STIFF, i], grip[DAMP, i], obstacles.thickness[i] - g
+            rise, damper = nx * vx + ny * vy + nz * vz, obstacles.ratio[o] * c
+            pressed = squeezed(obstacles, o, i, depth)[0]
+            if not pressed - damper * rise > 0.0:  # `closing` leaves less
+                continue
             n, a = (nx, ny, nz), (ax, ay, az)
-            rise = closing(nx * vx + ny * vy + nz * vz, -depth, n, a, ca, cb, (vx, vy, vz))[0]
-            push = squeezed(obstacles, o, i, depth)[0] - obstacles.ratio[o] * c * rise
+            push = pressed - damper * closing(rise, -depth, n, a, ca, cb, (vx, vy, vz))[0]
             if not push > 0.0:
                 continue
             sx, sy, sz = 0.0, 0.0, 0.0
@@ -115,6 +117,14 @@ def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
             force[2, i] += push * nz + sz
             if apart:
                 put_apart(force, o, i, push, nx, ny, nz, sx, sy, sz)
+
+
+@small
+def clear_nodes(force, row, first, last):
+    """Write 0 to nodes `first` to `last - 1` of a row; by an index that may be below 0 it takes longer."""
+    own = force[row][first:last]
+    for i in range(own.shape[0]):
+        own[i] = 0.0
 
 
 @deferred("float64")

@@ -61,12 +61,12 @@ def contact_tangent(x, v, obstacles, memory, now, weight_x, weight_v, band):
             lx, ly, lz = swept(ux, uy, uz, sweep, ox, oy, oz)
             vx, vy, vz = v[0, i] - lx, v[1, i] - ly, v[2, i] - lz
             c, depth = grip[DAMP, i], obstacles.thickness[i] - g
-            damper = obstacles.ratio[o] * c
+            damper, rise = obstacles.ratio[o] * c, nx * vx + ny * vy + nz * vz
             n, a, speed = (nx, ny, nz), (ax, ay, az), (vx, vy, vz)
-            rise, by_gap, by_place, by_speed = closing(
-                nx * vx + ny * vy + nz * vz, -depth, n, a, ca, cb, speed
-            )
             pressed, k, _ = squeezed(obstacles, o, i, depth)
+            if not pressed - damper * rise > 0.0:  # `closing` leaves less
+                continue
+            rise, by_gap, by_place, by_speed = closing(rise, -depth, n, a, ca, cb, speed)
             push = pressed - damper * rise
             if not push > 0.0:
                 continue

@@ -9,11 +9,12 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, small
+from ropewalk.core.largest import order, ordered
 from ropewalk.laws.contact_frame import DAMP
 from ropewalk.laws.obstacle_pose import body_of, probe_turned
 from ropewalk.laws.obstacle_shapes import PLANE
 
-RUN = 32  # nodes that are looked at together once some of the rope is in reach
+RUN = 16  # nodes that are looked at together once some of the rope is in reach
 ROUNDED = 1e-12  # [1] of the places: more than rounding does to a gap
 
 
@@ -24,33 +25,35 @@ def is_out_of_reach(x, v, obstacles, grip, o, pose, moved, speed, turning, lo, h
     It lies in a `pose`, see `obstacle_pose`, has `moved` [m], and goes at `speed` [m/s], turning at `turning`
     [rad/s], (3) each.
     """
-    lo = max(lo, 0)  # with no index below 0 the loop vectorises
+    lo = max(lo, 0)
     if not hi > lo:
         return True
-    hub, damping = obstacles.hub[o], grip[DAMP]
-    thickness, stiffness = obstacles.thickness, obstacles.stiffness[o]
-    at = (lo + hi) // 2
+    hub, at = obstacles.hub[o], (lo + hi) // 2
     cx, cy, cz = x[0, at], x[1, at], x[2, at]
     px, py, pz = cx - moved[0], cy - moved[1], cz - moved[2]
     gap = probe_turned(body_of(obstacles, o), pose, px, py, pz)[0]
-    if not gap > thickness[at]:
+    if not gap > obstacles.thickness[at]:
         return False
-    far, fast, thick, soft, damped = 0.0, 0.0, 0.0, math.inf, 0.0
-    for i in range(lo, hi):
-        dx, dy, dz = x[0, i] - cx, x[1, i] - cy, x[2, i] - cz
-        far = max(far, dx * dx + dy * dy + dz * dz)
-        fast = max(fast, v[0, i] * v[0, i] + v[1, i] * v[1, i] + v[2, i] * v[2, i])
-        thick, soft = max(thick, thickness[i]), min(soft, stiffness[i])
-        damped = max(damped, damping[i])
-    far, fast = math.sqrt(far), math.sqrt(fast)
-    size = abs(cx) + abs(cy) + abs(cz) + abs(px) + abs(py) + abs(pz) + far
+    # views of their own, as with an index that may be below 0 the loop does not vectorise
+    x0, x1, x2, thickness = x[0][lo:hi], x[1][lo:hi], x[2][lo:hi], obstacles.thickness[lo:hi]
+    v0, v1, v2, damping = v[0][lo:hi], v[1][lo:hi], v[2][lo:hi], grip[DAMP][lo:hi]
+    stiffness, far, fast, thick, damped = obstacles.stiffness[o][lo:hi], 0, 0, 0, 0
+    soft = order(math.inf)
+    for i in range(x0.shape[0]):
+        dx, dy, dz = x0[i] - cx, x1[i] - cy, x2[i] - cz
+        far = max(far, order(abs(dx * dx + dy * dy + dz * dz)))
+        fast = max(fast, order(abs(v0[i] * v0[i] + v1[i] * v1[i] + v2[i] * v2[i])))
+        thick, soft = max(thick, order(thickness[i])), min(soft, order(stiffness[i]))
+        damped = max(damped, order(damping[i]))
+    away, quick = math.sqrt(ordered(far)), math.sqrt(ordered(fast))
+    size = abs(cx) + abs(cy) + abs(cz) + abs(px) + abs(py) + abs(pz) + away
     center = obstacles.center[o]
     size += abs(center[0]) + abs(center[1]) + abs(center[2])
-    least = gap - far - thick - ROUNDED * size
-    arm = abs(px - hub[0]) + abs(py - hub[1]) + abs(pz - hub[2]) + far
-    fast += abs(speed[0]) + abs(speed[1]) + abs(speed[2])
-    fast += (abs(turning[0]) + abs(turning[1]) + abs(turning[2])) * arm
-    return soft * least > damped * fast
+    least = gap - away - ordered(thick) - ROUNDED * size
+    arm = abs(px - hub[0]) + abs(py - hub[1]) + abs(pz - hub[2]) + away
+    quick += abs(speed[0]) + abs(speed[1]) + abs(speed[2])
+    quick += (abs(turning[0]) + abs(turning[1]) + abs(turning[2])) * arm
+    return ordered(soft) * least > ordered(damped) * quick
 
 
 @small

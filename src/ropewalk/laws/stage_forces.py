@@ -60,8 +60,11 @@ def decide(stretch, tension, over, soft, weight, floor, least, carries, complian
 
 
 @part
-def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
-    """Write the forces of all laws at `x`, `v` and `tension`, for what is marked in the band."""
+def evaluate_stage(system, state, x, v, tension, work, saddle, forces, known):
+    """Write the forces of all laws at `x`, `v` and `tension`, for what is marked in the band.
+
+    With `known` those of nodes are there already.
+    """
     over, stretch = work.over, work.stretch
     pull(x, tension, state.rest_length, work.alive, saddle.direction, stretch, over, forces.elastic)
     floor, carries, e, g = system.slack_floor, saddle.carries, saddle.compliance, saddle.misfit
@@ -82,7 +85,8 @@ def evaluate_stage(system, state, x, v, tension, work, saddle, forces):
         drop_marked_friction(saddle.band.rubs, forces.friction)
     if has_bending(system):
         evaluate_bending(system, state, x, v, forces)
-    marked_node_forces(system, state, x, v, saddle.band, forces)
+    if not known:
+        marked_node_forces(system, state, x, v, saddle.band, forces)
 
 
 @part

@@ -21,6 +21,7 @@ from ropewalk.laws.nodes import are_local, marked_node_forces, node_tangents
 from ropewalk.laws.pairs.table import LATER
 from ropewalk.laws.slip_course import keep_slips
 from ropewalk.laws.table import accelerate
+from ropewalk.methods.newton_step import is_local, is_simple
 from ropewalk.methods.wheel_ties import along_wheels, has_wheels
 
 FLAT = 0.1  # [1] slope over that at the start that counts as none
@@ -91,7 +92,9 @@ def along_band(band, d):
 def bend_along(system, state, stage, c1):
     """Return d . K d of the laws of nodes for the Newton step d [J]."""
     saddle, x, v = stage.saddle, stage.x, stage.v
-    if are_local(system):
+    if is_local(system, state) and not is_simple(system):
+        bend = along_diagonal(saddle.band.diagonal, saddle.moved)
+    elif are_local(system):
         clear_diagonal(saddle.band)
         node_tangents(system, state, x, v, 1.0, 1.0 / c1, saddle.band)
         bend = along_diagonal(saddle.band.diagonal, saddle.moved)

@@ -53,10 +53,16 @@ def is_local(system, state):
 
 
 @part
+def is_simple(system):
+    """Tell whether all that is local are numbers for every node, and of velocities only."""
+    return system.flags[AXIAL] == 0 and are_diagonal(system)
+
+
+@part
 def solve_local(system, state, stage, c1):
     """Assemble and solve the equations of a rope whose laws are local."""
     saddle, x, v, over_c1 = stage.saddle, stage.x, stage.v, 1.0 / c1
-    if system.flags[AXIAL] == 0 and are_diagonal(system):
+    if is_simple(system):
         add_diagonals(system, over_c1, saddle.free, saddle.inertia)
         sweep(saddle)
     else:

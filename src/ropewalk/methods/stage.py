@@ -293,12 +293,12 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
     if aid == BEGIN:
         begin_solve(system, state, stage, c1, c2)
     iteration, merit, exact, wary, held_back, failed, leaps, leap = take_course(report, aid)
-    size, bar, first, whole = 0.0, np.inf, iteration, False
+    size, bar, first, whole, gone_to = 0.0, np.inf, iteration, False, False
     calm, touching, last = not has_bending(system), couples(system, state), np.inf
     most, report[PRESSED] = most_iterations(touching and calm, window), 0.0
     late, memory = (LATE, MEMORY) if is_smooth(system, state) else (CAREFUL_LATE, CAREFUL_MEMORY)
     while True:
-        evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces)
+        evaluate_stage(system, state, x, v, tension, segments, saddle, stage.forces, gone_to)
         accelerate(system, state, stage.forces, stage.a)
         trial = balance(stage.a, v, known, mass, free, c1, c2, saddle.force)
         trial += misfit_merit(saddle.misfit, segments.weight)
@@ -313,7 +313,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             continue
         open_marks = iteration < DECIDING and saddle.band.frozen[0] == 0
         if open_marks and mark_stage(system, x, segments, saddle) > 0.0:
-            size = 0.0
+            size, gone_to = 0.0, False
             continue
         largest_force(v, known, mass, free, system.gravity, c2, saddle.force, report)
         largest_misfit(x, tension, state.rest_length, stage.forces.friction, saddle, report)
@@ -351,7 +351,7 @@ def newton(system, state, stage, c1, c2, tight, window, aid):
             return UNSOLVED
         if by_model:
             size, iteration = follow_model(system, state, stage, c1, exact), iteration + 1
-            failed, wary = False, WARY if size == 0.0 else wary
+            failed, wary, gone_to = False, WARY if size == 0.0 else wary, size > 0.0
             continue
         move(1.0, c1, x, v, tension, saddle)
         first = iteration + 1 if leap else first
