@@ -212,3 +212,13 @@ def test_no_interval_is_told_where_another_rope_presses(covered: bool) -> None:
         assert wrap.ropes == 0.0
         assert wrap.most == pytest.approx(wrap.before * math.exp(0.2 * math.pi), rel=0.02)
         assert "press" not in wrap.words
+
+
+@pytest.mark.parametrize(("name", "until"), [("capstan", 1.3), ("bollard", 0.4)])
+def test_no_node_on_one_body_has_more_friction_than_it_can(name: str, until: float) -> None:
+    """1.049 and 1.021 at a round's ends: limits were of the spring's direction, not of the friction's."""
+    scene = rw.preset(name)
+    result = rw.simulate(scene.replace(run=scene.run.replace(duration=until)))
+    used = result.to_pandas("contacts")["friction used [1]"]
+    assert used.max() <= 1.0 + 1e-3
+    assert (used > 0.99).sum() > 10

@@ -44,6 +44,8 @@ from ropewalk.laws.polygon import keep_friction
 from ropewalk.laws.wheel_rows import surface_now, surface_then
 from ropewalk.laws.wheels import find_rates, keep_wheels, turned
 
+NOTHING = (0.0, 0.0, 0.0)
+
 
 @deferred()
 def contact_forces(x, v, obstacles, memory, now, force, lo, hi):
@@ -166,7 +168,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             bound = friction_at(grip, i, dt) * grip[PUSH, i]
             note_way(obstacles, memory, o, i, to, then, angle, px, py, pz, g, nx, ny, nz)
             slip[OFTEN, i], slip[WHEN, i] = per, now[0]
-            sx, sy, sz, rx, ry, rz = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+            sx, sy, sz, rx, ry, rz, pull = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NOTHING
             gx, gy, gz = wy * oz - wz * oy, wz * ox - wx * oz, wx * oy - wy * ox
             softer = harden(obstacles, grip, o, i, depth)
             if bound > 0.0:
@@ -181,6 +183,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
                 across = nx * rx + ny * ry + nz * rz
                 rx, ry, rz = rx - across * nx, ry - across * ny, rz - across * nz
                 rx, ry, rz = cut(rx, ry, rz, bound)
+                pull = pull_along(sx, sy, sz, grip[DAMP, i], (fx, fy, fz), nx, ny, nz)
             grip[0, i], grip[1, i], grip[2, i] = sx, sy, sz
             memory.books[o, PRESSED, i] = stored
             memory.books[o, RUBBED, i] = 0.5 * (sx * sx + sy * sy + sz * sz) / grip[STIFF, i]
@@ -192,7 +195,7 @@ def remember_contacts(x, v, obstacles, memory, now, stiffness):
             gx, gy, gz = dt * (v[0, i] - ux), dt * (v[1, i] - uy), dt * (v[2, i] - uz)
             probed, later = (nx, ny, nz, ax, ay, az, ca, cb), (px + gx, py + gy, pz + gz)
             turns = then[6] + angle + dt * rate
-            keep_friction(x, v, obstacles, grip, o, i, probed, later, turns, dt, stiffness)
+            keep_friction(x, v, obstacles, grip, o, i, pull, probed, later, turns, dt, stiffness)
     keep_wheels(obstacles, memory, dt)
     for k in range(3):
         for i in range(n):
@@ -214,6 +217,14 @@ def add_load(load, o, fx, fy, fz):
     load[o, 0] -= fx
     load[o, 1] -= fy
     load[o, 2] -= fz
+
+
+@small
+def pull_along(sx, sy, sz, c, slip, nx, ny, nz):
+    """Return what rubs where a step has ended: a spring's pull [N] and a damper `c` on the slip, (3)."""
+    fx, fy, fz = sx - c * slip[0], sy - c * slip[1], sz - c * slip[2]
+    across = nx * fx + ny * fy + nz * fz
+    return fx - across * nx, fy - across * ny, fz - across * nz
 
 
 @small

@@ -39,9 +39,10 @@ MOVES = 1e-3  # [rad] a node that is off the middle by less is between others, w
 
 
 @small
-def keep_friction(x, v, obstacles, grip, o, i, probed, place, angle, dt, stiffness):
+def keep_friction(x, v, obstacles, grip, o, i, pull, probed, place, angle, dt, stiffness):
     """Keep the coefficient of node `i` on an obstacle, and its rate [1/s] by what the next `dt` [s] bring.
 
+    `pull` (3) [N] is what rubs at the node, spring and damper: its limit is told by the same one, of a frame.
     `probed` is what `probe` tells of its surface there, from n on; `place` is where the node will be in the
     frame of the body [m], and `angle` how far that will have turned [rad].
     """
@@ -49,7 +50,7 @@ def keep_friction(x, v, obstacles, grip, o, i, probed, place, angle, dt, stiffne
     grip[GRIP, i], grip[GROWS, i] = middle, 0.0
     if off == 0.0:
         return
-    c = pulls_ahead(x, i, probed[0], probed[1], probed[2], grip[0, i], grip[1, i], grip[2, i])
+    c = pulls_ahead(x, i, probed[0], probed[1], probed[2], *pull)
     grip[GRIP, i] = tilted(middle, off, c)
     if c == 0.0 or not abs(off) > MOVES or not dt > 0.0:
         return
