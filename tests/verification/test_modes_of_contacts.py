@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Contact, Ring, Slack, Spin, Straight, Velocity
+from ropewalk.scene import Contact, Cylinder, Ring, Slack, Spin, Straight, Velocity
 from ropewalk.statics import static_shape
 
 RADIUS, THICK, g = 0.05, 0.01, 9.81
@@ -92,22 +92,58 @@ def test_over_a_drum_that_turns_nothing_holds_along(rate: float) -> None:
     assert rings == pytest.approx(said, rel=0.2)
     assert abs(rings - said) > 0.05 * said  # what the note is for
     (note,) = found.notes
-    assert note.startswith("obstacle 'obstacle0' moves along under what touches it: that slips all")
+    assert note.startswith("obstacle 'obstacle0' moves along under what touches it from the start")
+    assert "over bodies that stand" in note
     assert found.at_limit == (0, 0)
 
 
 def test_where_no_surface_moves_along_friction_holds() -> None:
-    """A drum that stands, one that turns after the run, and one that goes where the anchor goes."""
+    """A drum that stands, one that turns later or after the run, and one that goes where the anchor goes."""
     still = rw.modes(turning(), count=3)
     lift = Velocity(velocity=(0, 0, 0.1))
     leaves = turning(spin=Spin(rate=20.0, start=9.0))
+    later = turning(spin=Spin(rate=20.0, start=1.0))  # 4.8 Hz: as if it turned already
     both = turning(motion=lift)
     both = both.replace(anchors=[rw.Anchor(node=0, motion=lift)])
-    for scene in (leaves, both):
+    for scene in (leaves, later, both):
         found = rw.modes(scene, count=3)
         assert found.frequencies == pytest.approx(still.frequencies, rel=1e-9)
         assert not found.slips_on
     assert rw.modes(turning(motion=lift), count=3).slips_on == ("obstacle0",)
+
+
+def test_a_capstan_that_turns_later_holds_at_rest() -> None:
+    """0, 0 and 0.358 Hz were found: without friction a kilogram holds no twelve."""
+    capstan = rw.preset("capstan")
+    (drum,) = capstan.obstacles
+    still = capstan.replace(obstacles=[drum.replace(spin=None)])
+    found = rw.modes(capstan, count=3)
+    assert found.frequencies == pytest.approx(rw.modes(still, count=3).frequencies, rel=1e-9)
+    assert found.frequencies[0] > 0.8
+    assert not any("slips all the time" in note for note in found.notes)
+
+
+@pytest.mark.parametrize("turns", [24, 25])
+def test_bumps_of_a_rope_that_slides_over_a_drum_are_told(turns: int) -> None:
+    """12 kg on both sides: 0.187 Hz, or e in 0.47 s; the rope's own weight lets it grow by e in 3.5 s."""
+    radius, free, mass = 0.1055, 0.5, 0.1
+    points = [(-radius, 0.0, -free), *arc(radius, math.pi, turns), (radius, 0.0, -free)]
+    long = length_of(points)
+    rope = rw.Rope(
+        segments=4 * turns,
+        length=long,
+        diameter=0.01,
+        made_of=rw.Material(EA=1e5, mass_per_length=mass, axial_damping=5.0),
+        shape={"kind": "polyline", "points": points},
+        loads=[rw.Load(node=0, mass=12.0), rw.Load(node=-1, mass=12.0)],
+    )
+    drum = Cylinder(name="drum", start=(0, -0.2, 0), end=(0, 0.2, 0), radius=0.1, friction=0.0)
+    found = rw.modes(rw.Scene(ropes=[rope], obstacles=[drum], run=RUN), count=5)
+    (note,) = [one for one in found.notes if "slides over 'drum'" in one]
+    told = re.search(r"without them it grows, x e in (\S+) s", note)
+    assert told
+    smooth = math.sqrt((24.0 + mass * long) / (2.0 * mass * g))
+    assert float(told[1]) == pytest.approx(smooth, rel=0.05)
 
 
 def test_a_trolley_that_friction_just_holds_does_not_roll() -> None:

@@ -5,9 +5,11 @@ spring, and the same swing again leaves it within its limit (shakedown): from th
 Measured: a load on a drum that creeping left all at its limit, and a rope on a floor, ring at what is found
 with all contacts held, to 0.1 %, those on a drum up and down to 0.3 %.
 
-Where a surface moves along under the rope, as that of a drum that turns, contacts slip all the time, and
-nothing holds along it: there friction is left out, what of it follows the motion (by N, and by which way the
-rope slips) included. Loads on drums that turn ring up to 20 % off what is found so, across up to 30 %.
+Where a surface moves along under the rope from the start, as that of a drum that turns, contacts slip all
+the time, and nothing holds along it: there friction is left out, what of it follows the motion (by N, and by
+which way the rope slips) included. Loads of one size on drums that turn ring up to 20 % off what is found so,
+across up to 30 %; where friction bears a difference of loads, nothing in these modes does. The rest that they
+are about is that over bodies that stand where they start: what moves only later stands in it, and holds.
 """
 
 from __future__ import annotations
@@ -29,7 +31,7 @@ from ropewalk.lowering.touching import SLIPS
 from ropewalk.statics.coupled import bound_there
 
 _FIRMLY = 2.0  # times the friction that it has: far from the limit [1]
-_LOOKS = 64  # how often in a run surfaces are looked at
+_LOOKS = 8  # how often in the first frame surfaces are looked at
 _ALONG = 1e-9  # [1] of a surface's speed: so little along it is rounding
 
 
@@ -49,7 +51,8 @@ def held(model: Model) -> Model:
 def slipping(model: Model, built: Model, x: Floats) -> tuple[Model, tuple[str, ...]]:
     """Return the model without friction where surfaces move along under places (3, n) [m], and their names.
 
-    `built` has the bodies as they move; those that move as an anchor does take the rope along.
+    They do where they move in the first frame of a run: what moves only later stands at rest. `built` has
+    the bodies as they move; those that move as an anchor does take the rope along.
     """
     scene, table = model.scene, built.system.node.obstacle
     state, led = arrays.copy(model.state), [anchor.motion for anchor in scene.anchors]
@@ -57,7 +60,7 @@ def slipping(model: Model, built: Model, x: Floats) -> tuple[Model, tuple[str, .
     for row, body in enumerate(scene.obstacles):
         if not moves(table, row) and turning_rate(table, row) == 0.0:
             continue
-        rates = _rates(table, row, scene.run.duration)
+        rates = _rates(table, row, 1.0 / scene.run.frame_rate)
         if body.motion in led:
             rates[:, :3] = 0.0
         nodes = np.flatnonzero((depths(table, x)[row] > 0.0) & (state.memory.obstacle.held == 0))
@@ -69,15 +72,16 @@ def slipping(model: Model, built: Model, x: Floats) -> tuple[Model, tuple[str, .
     return replace(model, state=state), tuple(names)
 
 
-def _rates(table: Any, row: int, duration: float) -> Floats:
-    """Return the velocities [m/s] of a body and its rates about its axle [rad/s] in a run, (t, 4)."""
-    times = [*np.linspace(0.0, duration, _LOOKS), table.spin[row, 1]]
-    found = [surface_at(table, row, float(t)) for t in times if t <= duration]
+def _rates(table: Any, row: int, until: float) -> Floats:
+    """Return velocities [m/s] of a body and its rates about its axle [rad/s] before a time [s], (t, 4)."""
+    found = [
+        surface_at(table, row, float(t)) for t in np.linspace(0.0, until, _LOOKS, endpoint=False)
+    ]
     return np.array([(*at[3:6], at[7]) for at in found])
 
 
 def _moves_under(table: Any, row: int, place: Floats, rates: Floats) -> bool:
-    """Tell whether the surface of a body of such rates ever moves along at a place (3,) [m]."""
+    """Tell whether the surface of a body of such rates moves along at a place (3,) [m]."""
     normal = np.array(surface_near(table, row, place)[1:4])
     arm = place - surface_at(table, row, 0.0)[:3] - table.hub[row]
     speed = rates[:, :3] + rates[:, 3:] * np.cross(table.axle[row], arm)
@@ -124,7 +128,9 @@ def slip_note(names: tuple[str, ...]) -> str:
     does = "move" if len(names) > 1 else "moves"
     which = "obstacles " if len(names) > 1 else "obstacle "
     return (
-        f"{which}{', '.join(map(repr, names))} {does} along under what touches it: that slips all the time, "
-        "and friction that follows the motion is left out, so frequencies are not to be trusted to better "
-        "than some 20 to 30 %, and damping not at all"
+        f"{which}{', '.join(map(repr, names))} {does} along under what touches it from the start: that slips "
+        "all the time, and friction is left out there, also what of it follows the motion. The rest that "
+        "modes are about is that over bodies that stand: where loads on both sides balance without friction "
+        "frequencies are to be trusted to some 20 to 30 %, where friction bears a difference not at all, and "
+        "damping nowhere"
     )

@@ -33,6 +33,7 @@ from ropewalk.vibration.holding import full, full_note, held, slip_note, slippin
 from ropewalk.vibration.linear import Linear, linearise
 from ropewalk.vibration.motion import TURNS, Motion, motions, turnings
 from ropewalk.vibration.plane import Plane, plane_of
+from ropewalk.vibration.round_bumps import slid_notes
 from ropewalk.vibration.solve import Complex, highest, solve, untangle
 from ropewalk.vibration.turned_bends import turning_notes
 from ropewalk.vibration.turning import Turns, with_wheels
@@ -64,7 +65,7 @@ class Modes:
     # contacts with friction that carry nearly all they can at rest, and all that have any; slides, too
     at_limit: tuple[int, int] = (0, 0)
     slips_on: tuple[str, ...] = ()  # obstacles whose surface moves along under what touches it
-    bumps: tuple[str, ...] = ()  # sentences on wheels that corners of ropes hold
+    bumps: tuple[str, ...] = ()  # sentences on wheels, and ropes on bodies, that corners hold
 
     @property
     def count(self) -> int:
@@ -202,7 +203,10 @@ def modes(source: Scene | Model, about: About = "equilibrium", count: int = 10) 
         normal=plane.normal if plane.flat else None,
         at_limit=at_limit,
         slips_on=slips_on,
-        bumps=wheel_notes(values[:count], flat, linear.mass, bodies),
+        bumps=(
+            *wheel_notes(values[:count], flat, linear.mass, bodies),
+            *slid_notes(values[:count], flat, linear, model, x, tension),
+        ),
     )
 
 
