@@ -36,14 +36,60 @@ def test_a_rope_pressed_flat_is_told() -> None:
     result = rw.simulate(lying(obstacles=[BED, ram(0.04)]))
     told = result.table[ABOUT]
     found = re.match(
-        r"at t = 1 s the middle of node \d+ of rope 'rope' was (\S+) mm inside '(\w+)'", told
+        r"at t = 1 s node \d+ of rope 'rope' was squeezed by 30 mm between 'bed' and 'ram', which overlap by "
+        r"20 mm there: a rope has no room there",
+        told,
     )
     assert found
-    assert float(found[1]) == pytest.approx(1e3 * D, rel=0.01)
-    assert found[2] in ("bed", "ram")
-    assert -1e3 * result.positions[-1, :, 2].min() == pytest.approx(float(found[1]), rel=0.01)
-    half = rw.simulate(lying(obstacles=[BED, ram(0.0149)]))  # to 5.1 mm: its middle is between
-    assert ABOUT not in half.table
+    assert "compliance" not in told  # stiffer bodies leave it no more room
+
+
+@pytest.mark.parametrize(("speed", "lacks"), [(0.0149, 4.9), (0.0112, 1.2), (0.0108, None)])
+def test_a_rope_with_less_room_than_it_is_thick_is_told(speed: float, lacks: float | None) -> None:
+    """Its middle is in neither body: a half of its thickness was squeezed away without a word."""
+    result = rw.simulate(lying(obstacles=[BED, ram(speed)]))
+    if lacks is None:  # less than a tenth
+        assert ABOUT not in result.table
+        return
+    told = result.table[ABOUT]
+    assert f"squeezed by {lacks:g} mm between 'bed' and 'ram'" in told
+    assert f"a rope of 10 mm a gap of {10.0 - lacks:g} mm" in told
+
+
+def test_check_foresees_bodies_that_come_together() -> None:
+    said = [
+        w for w in rw.check(lying(obstacles=[BED, ram(0.0149)])).warnings if "starts between" in w
+    ]
+    assert len(said) == 1
+    assert "'bed' and 'ram', which leave a rope of 10 mm a gap of 5.1 mm at t = 1 s" in said[0]
+    for quiet in ([BED, ram(0.0108)], [BED, ram(-0.02)], [BED]):
+        assert not [w for w in rw.check(lying(obstacles=quiet)).warnings if "starts between" in w]
+    aside = Box(  # not where the rope starts
+        name="ram",
+        center=(1.0, 0, 0.04),
+        half_sizes=(0.2, 0.2, 0.02),
+        edge_radius=0.005,
+        motion=Velocity(velocity=(0, 0, -0.0149)),
+    )
+    assert not [
+        w for w in rw.check(lying(obstacles=[BED, aside])).warnings if "starts between" in w
+    ]
+
+
+def test_a_run_that_ends_between_two_bodies_names_both() -> None:
+    """One was named, and a shorter step or a stiffer contact advised, which cannot help."""
+    half = {"half_sizes": (1.0, 1.0, 0.1), "edge_radius": 0.01}
+    down = Velocity(velocity=(0, 0, -1.0))
+    boxes = [
+        Box(name="table", center=(0, 0, -0.1), **half),
+        Box(name="press", center=(0, 0, 0.15), motion=down, **half),
+    ]
+    with pytest.raises(rw.BrokenRun) as broken:
+        rw.simulate(lying(obstacles=boxes))
+    why = str(broken.value)
+    assert "has no room between obstacles 'table' and 'press'" in why
+    assert "time_step" not in why
+    assert "compliance" not in why
 
 
 def test_an_anchor_that_goes_into_a_plane_is_told_by_its_neighbour() -> None:

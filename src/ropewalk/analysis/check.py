@@ -28,6 +28,7 @@ from ropewalk.analysis.rest_notes import (
     rest_warnings,
     unheld_warnings,
 )
+from ropewalk.analysis.room_notes import room_warnings
 from ropewalk.analysis.rope_check import RopeCheck, rope_check
 from ropewalk.analysis.slide_notes import slide_warnings
 from ropewalk.analysis.stability import Stability, milliseconds, stability
@@ -287,7 +288,7 @@ def _warnings(
     warnings += facet_warnings(model, statics) + near_start_warnings(model)
     warnings += pair_start_warnings(model) + rebound_warnings(model, statics)
     warnings += slide_warnings(model) + knot_warnings(model)
-    warnings += swing_warnings(model) + release_warnings(model)
+    warnings += swing_warnings(model) + release_warnings(model) + room_warnings(model)
     return warnings + plan_notes(model) + unit_slips(model)
 
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from ropewalk.core.arrays import State, System
 from ropewalk.core.status import HONEST, TAKEN, ZERO
+from ropewalk.engine.no_room import no_room
 from ropewalk.engine.too_near import fault_of, finer, one_of
 from ropewalk.laws.slides.sliding import lost
 from ropewalk.lowering import Layout, Plan
@@ -39,7 +40,7 @@ def reason(system: System, state: State, layout: Layout, scene: Scene, plan: Pla
     if bad.size:
         rope, node = layout.rope_of(int(bad[0]))
         return f"node {node} of rope {rope!r} has no finite place or speed any more"
-    if fault := fault_of(state, layout, scene, plan):
+    if fault := no_room(system, state, layout, scene) or fault_of(state, layout, scene, plan):
         return fault
     if fault := off_rope(state, layout, system, plan):
         return fault

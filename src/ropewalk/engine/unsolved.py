@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ropewalk.core.arrays import State
+from ropewalk.engine.no_room import no_room
 from ropewalk.engine.too_near import finer, one_of, refused_pair
 from ropewalk.lowering import Layout, Model
 from ropewalk.lowering.link_lengths import has_links, reaches
@@ -52,7 +53,7 @@ def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
     start, dt, done = clock
     time = float(scratch.stage.report[TIME])
     step = done + max(1, math.ceil((time - start) / dt - done - 1e-9))
-    refused = refused_pair(state, layout, model.scene, plan)
+    refused = _refused(model, state)
     text = (
         f"{plan.method} found no solution of step {step} at t = {time:.6g} s, not even in "
         f"parts of {dt * SMALLEST_PART:.2g} s: {refused or _what_is_left(layout, state, scratch.stage)}"
@@ -70,6 +71,12 @@ def describe(model: Model, state: State, clock: Clock, scratch: Any) -> str:
         f"{text}. Try a shorter time_step; look for anchors that jump or move apart, and for nodes "
         "thrown or pressed together at the start."
     )
+
+
+def _refused(model: Model, state: State, longest: float = 0.0) -> str:
+    """Say who were not let pass, see `refused_pair`, or have no room for it; "" where that was not it."""
+    squeezed = no_room(model.system, state, model.layout, model.scene)
+    return squeezed or refused_pair(state, model.layout, model.scene, model.plan, longest)
 
 
 def _too_far(layout: Layout, state: State, longest: float, scratch: Any) -> str:
@@ -112,7 +119,7 @@ def _describe_shortest(
     time, place, error = adaptive.failure(scratch)
     layout, taken = model.layout, float(scratch.walk.control[LONGEST])
     text = f"adaptive needs steps below {SHORTEST_STEP:g} s at t = {time:.6g} s"
-    if refused := refused_pair(state, layout, model.scene, model.plan, taken):
+    if refused := _refused(model, state, taken):
         return f"{text}: {refused}"
     if not math.isfinite(error):
         why, helps = _what_is_left(layout, state, scratch.stage), finer(model.plan, taken)
