@@ -45,8 +45,8 @@ def slid_notes(
     moved = (linear.mass * np.abs(flat) ** 2).sum(axis=1)
     found = []
     for row in range(len(table.kind)):
-        if table.wheel[row] >= 0:
-            continue
+        if model.scene.obstacles[row].name in model.layout.pulleys:
+            continue  # it turns with its rope, or is held and has it held; see `turning`
         added, pressed = np.zeros(len(values)), np.flatnonzero(grip[row, PUSH] > 0.0)
         for node, way, spring in _ends(model, row, x, tension, pressed):
             place = linear.follows[node]
