@@ -66,6 +66,18 @@ def spins_jump(held, clamped, axis, turn, t, spin):
 
 
 @part
+def clamps_turn(system, state):
+    """Tell whether any clamp turns."""
+    if has_clamps(system, state):
+        spin = state.clamp_spin
+        for row in range(spin.shape[0]):
+            for k in range(3):
+                if spin[row, k] != 0.0:
+                    return True
+    return False
+
+
+@part
 def half_cell(x, v, rest_length, j, side, row, bending, direction, spin):
     """Return what the first node of segment `j` gets, elastically and by friction [N], and dU/dd [N m]."""
     share = bending.clamp_length[row] / rest_length[j]  # a winch changes lengths

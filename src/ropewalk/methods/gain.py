@@ -10,7 +10,8 @@ work does not count as made up. What a bound of the stretch gives does: it stops
 what friction gives, as it may where a held node stops at once, friction is stiff and the step long. A step
 that makes up a good part of all energy there is has no worth, where what all is carried along with does
 not count. What rounding makes up of next to nothing does not either: a rope that coasts has no other energy.
-With bending, where those may make up more, all laws together may make up little, see `all_energy`.
+With bending, where those may make up more, all laws together may make up little, see `all_energy`; but where
+clamps turn: what their drives put in by way of a step's own forces is off by more than that in long steps.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from __future__ import annotations
 import math
 
 from ropewalk.core.jit import kernel, part
-from ropewalk.laws.clamps import bent_energy
+from ropewalk.laws.clamps import bent_energy, clamps_turn
 from ropewalk.laws.couplings import coupled_energy, coupled_work, couples
 from ropewalk.laws.elastic import CHANGE, stored_energy
 from ropewalk.laws.inner import gained_at_drums, heat
@@ -58,7 +59,7 @@ def makes_up_energy(system, state, stage, ends, mean, dt, most):
         before += bent_energy(system, state, state.x)
         after += bent_energy(system, state, stage.x)
         work += taken(mean.bending, state.v, stage.v, dt)
-        if not (winds(system, state) or parts(system)):
+        if not (winds(system, state) or parts(system) or clamps_turn(system, state)):
             in_all = after - before - work - rubbed
             in_all += made_beside_segments(system, state, stage, mean, dt)
             if is_too_much(system, state, stage, before, after, in_all, MOST_IN_ALL, dt):
