@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from zipfile import ZipFile
 
@@ -17,6 +18,7 @@ from ropewalk.record import checkpoint, lock
 from ropewalk.record.errors import RunError
 from ropewalk.record.folder import verify
 from ropewalk.record.result import Result
+from ropewalk.simulation import Snapshot
 
 
 @pytest.fixture(autouse=True)
@@ -101,6 +103,23 @@ def test_a_checkpoint_of_another_layout_is_not_called_damaged(stopped: Path) -> 
     index[row][2].reverse()
     np.savez(stopped / "checkpoint.npz", **found | {"index": json.dumps(index)})
     with pytest.raises(RunError, match=r"of another version: state\.x does not fit the scene"):
+        rw.resume(stopped)
+
+
+def test_a_checkpoint_that_does_not_fit_is_refused_in_words(
+    stopped: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As one of other sources whose islands remember less, with `force`: an error in Ropewalk itself."""
+    load = checkpoint.load
+
+    def other(folder: Path, like: Snapshot) -> checkpoint.Checkpoint:
+        found = load(folder, like)
+        return replace(found, snapshot=found.snapshot._replace(layout="another"))
+
+    monkeypatch.setattr(checkpoint, "load", other)
+    with pytest.raises(
+        RunError, match=r"checkpoint\.npz: is of another scene, or of another version"
+    ):
         rw.resume(stopped)
 
 

@@ -8,16 +8,22 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
+from ropewalk.core.status import BROKEN
 from ropewalk.engine.engine import Engine
 from ropewalk.engine.islands import Islands
 from ropewalk.engine.slices import Slices
 from ropewalk.laws.pairs.table import CONTACTS
-from ropewalk.scene import Contact, Plane, Straight
+from ropewalk.scene import Contact, Plane, Straight, Velocity
 from ropewalk.simulation.block import Block, join
 from ropewalk.simulation.far_apart import FarApart
 
 FRAMES, RATE = 48, 240.0
-STEPS = {"implicit-euler": 1.0 / 240.0, "sdirk2": 1.0 / 480.0, "semi-implicit-euler": 2e-5}
+STEPS = {
+    "implicit-euler": {"time_step": 1.0 / 240.0},
+    "sdirk2": {"time_step": 1.0 / 480.0},
+    "semi-implicit-euler": {"time_step": 2e-5},
+    "adaptive": {"tolerance": 1e-5},
+}
 
 
 def two(method: str, gap: float, **more: Any) -> rw.Scene:
@@ -39,9 +45,7 @@ def two(method: str, gap: float, **more: Any) -> rw.Scene:
         for name, shape in shapes.items()
     ]
     ends = [rw.Anchor(name=name, rope="held", node=node) for name, node in (("a", 0), ("b", -1))]
-    run = rw.RunSettings(
-        method=method, time_step=STEPS[method], frame_rate=RATE, duration=FRAMES / RATE
-    )
+    run = rw.RunSettings(method=method, frame_rate=RATE, duration=FRAMES / RATE, **STEPS[method])
     return rw.Scene(ropes=ropes, anchors=ends, contact=Contact(), run=run, **more)
 
 
@@ -92,6 +96,7 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         ("sdirk2", 50.0, 0.53, False),
         ("semi-implicit-euler", 50.0, 0.51, False),
         ("semi-implicit-euler", 1.0, 0.06, True),
+        ("adaptive", 5.0, 0.1, False),
     ],
 )
 def test_what_meets_among_many_frames_meets_as_frame_by_frame(
@@ -109,6 +114,31 @@ def test_what_meets_among_many_frames_meets_as_frame_by_frame(
     assert touched, "they touch at the end of some frame"
     assert touched < FRAMES
     assert one.state.state.x.tobytes() == other.state.state.x.tobytes()
+
+
+@pytest.mark.parametrize("method", ["verlet", "implicit-euler"])
+def test_what_breaks_among_many_frames_is_told_as_broken(method: str) -> None:
+    """A cord that is drawn out without end; no frame of the last call was good, and all seemed well."""
+    cord = rw.Rope(
+        segments=6,
+        length=1.0,
+        diameter=0.01,
+        made_of=rw.Material(EA=200.0, mass_per_length=0.1, axial_damping=1.0),
+        shape=Straight(start=(0.0, 0.0, 0.0), end=(1.0, 0.0, 0.0)),
+    )
+    hand = rw.Anchor(name="hand", node=-1, motion=Velocity(velocity=(4.0, 0.0, 0.0)))
+    scene = rw.Scene(
+        ropes=[cord],
+        anchors=[rw.Anchor(name="wall", node=0), hand],
+        gravity=(0.0, 0.0, 0.0),
+        contact=Contact(),
+        run=rw.RunSettings(method=method, duration=3.0),
+    )
+    simulation = rw.Simulation(scene)
+    block = simulation.advance_frames(170)
+    assert 100 < block.frames < 170
+    assert simulation.reason
+    assert block.status == BROKEN
 
 
 @pytest.mark.parametrize("method", ["implicit-euler", "semi-implicit-euler"])

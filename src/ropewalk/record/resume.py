@@ -63,7 +63,11 @@ def _go_on(
     simulation = Simulation(model, ledger=facts.ledger, apart=True)
     found = checkpoint.load(folder, simulation.state)
     check_same(folder, {**facts.provenance, "source_hash": found.source_hash}, force)
-    simulation.restore(found.snapshot)
+    try:
+        simulation.restore(found.snapshot)
+    except ValueError as error:
+        rule = f"is of another scene, or of another version, and cannot be gone on with: {error}"
+        raise RunError(folder / CHECKPOINT, rule) from None
     with writing(folder):
         writer = _take_up(folder, simulation, found.frames)
         log(folder, "resumed", time=simulation.time, frames=found.frames)

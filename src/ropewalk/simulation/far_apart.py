@@ -2,7 +2,8 @@
 
 What contacts remember is read between calls, and islands are looked at after each: else a frame is a call.
 Where calls begin and end changes no bit, and a call in which anything was near is taken back: how many frames
-go into one decides about time alone.
+go into one decides about time alone. The adaptive method takes a frame in every call: it begins anew where
+anything was changed between calls, also the first row of what contacts remember.
 """
 
 from __future__ import annotations
@@ -35,7 +36,8 @@ class FarApart:
     def __init__(self, engine: Engine | Islands) -> None:
         self._engine, self._most, self._rest = engine, GROWTH, 0
         memory = engine.state.memory
-        self._goes = memory.contact.tally.size > 0 and not memory.obstacle.wheel.size
+        wheels, walks = memory.obstacle.wheel.size > 0, engine.walk.shown.size > 0
+        self._goes = memory.contact.tally.size > 0 and not (wheels or walks)
 
     def advance(
         self, simulation: Simulation, frames: int, out: Recording, keep_going: bool
@@ -56,7 +58,7 @@ class FarApart:
                 break
         kept = out if done == frames else out.part(0, done)
         times = np.concatenate([part.time for part in parts])
-        return Block(times, kept, parts[-1].status, *join_parts(parts))
+        return Block(times, kept, block.status, *join_parts(parts))
 
     def _in_one(self, simulation: Simulation, frames: int, out: Recording) -> Block | None:
         """Advance by frames in one call, but take all back, None, where anything was near, or broke."""
