@@ -58,7 +58,22 @@ def made_beside_segments(system, state, stage, mean, dt):
         gain -= taken(mean.limiter, v0, v1, dt)
     if system.flags[APPLIED] == 1:
         gain += made_by_loads(state.forces.applied, free, x0, v0, x1, v1, dt)
-    return gain + _made_by_nodes(system, state, mean.node, x1, v1, dt)
+    gain += _made_by_nodes(system, state, mean.node, x1, v1, dt)
+    for force in (mean.elastic, mean.friction, mean.bending):
+        gain += made_at_anchors(force, free, x0, v0, x1, v1, dt)
+    return gain
+
+
+@kernel
+def made_at_anchors(force, inverse_mass, x0, v0, x1, v1, dt):
+    """Return what segment forces do on held nodes over their way beyond that at mean speeds [J]."""
+    total = 0.0
+    for k in range(3):
+        f, a, u, b, w = force[k], x0[k], v0[k], x1[k], v1[k]
+        for i in range(inverse_mass.shape[0]):
+            if inverse_mass[i] == 0.0:
+                total += (f[i + 1] - f[i]) * (b[i] - a[i] - 0.5 * dt * (u[i] + w[i]))
+    return total
 
 
 @kernel

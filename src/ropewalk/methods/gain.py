@@ -31,7 +31,7 @@ from ropewalk.methods.rounding import EPSILON
 # Of kinetic and stored energy, and of weight times length [1]: a whole step; twice as much each time that it
 # is halved, as what is hard to solve must end somewhere; any part.
 MOST, MOST_OF_ANY = 0.002, 0.05
-MOST_IN_ALL = 0.0005  # [1] the same of what all laws together make up, with bending; of any part
+MOST_IN_ALL = 0.001  # [1] the same of what all laws together make up, with bending; of any part
 
 
 @part

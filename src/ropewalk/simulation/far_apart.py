@@ -43,7 +43,7 @@ class FarApart:
         self, simulation: Simulation, frames: int, out: Recording, keep_going: bool
     ) -> Block:
         """Advance by frames as `Simulation.advance_frames` does, into buffers of as many."""
-        parts, done = list[Block](), 0
+        parts, done, status = list[Block](), 0, OK
         while done < frames:
             count = 1 if simulation._goals else self._frames(frames - done)
             room = out.part(done, done + count)
@@ -51,14 +51,15 @@ class FarApart:
             if block is None:  # taken back
                 count = 1
                 block = simulation.advance_frames(1, keep_going=keep_going, out=room.part(0, 1))
+            status = block.status
             if block.frames or not parts:
                 parts.append(block)
                 done += block.frames
-            if block.frames < count or (block.status != OK and not keep_going):
+            if block.frames < count or (status != OK and not keep_going):
                 break
         kept = out if done == frames else out.part(0, done)
         times = np.concatenate([part.time for part in parts])
-        return Block(times, kept, block.status, *join_parts(parts))
+        return Block(times, kept, status, *join_parts(parts))
 
     def _in_one(self, simulation: Simulation, frames: int, out: Recording) -> Block | None:
         """Advance by frames in one call, but take all back, None, where anything was near, or broke."""
