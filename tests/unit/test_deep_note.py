@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import ropewalk as rw
-from ropewalk.scene import Box, Plane, Scene, Spin, Straight, Velocity
+from ropewalk.scene import Box, Plane, Scene, Shake, Spin, Straight, Velocity
 
 ABOUT = "about the obstacles"
 D = 0.01
@@ -74,6 +74,18 @@ def test_check_foresees_bodies_that_come_together() -> None:
     assert not [
         w for w in rw.check(lying(obstacles=[BED, aside])).warnings if "starts between" in w
     ]
+
+
+def test_check_foresees_what_swings_in_step_with_even_looks() -> None:
+    """At 63 even times in 10 s a plate of 6.3 Hz is where it starts: 4 mm were squeezed, and nothing said."""
+    for hertz in (6.3, 12.6, 5.5, 8.9, 19.2):
+        swings = Shake(axis=(0, 0, 1), amplitude=0.014, frequency=hertz)
+        press = Plane(name="press", point=(0, 0, 2.0 * D), normal=(0, 0, -1), motion=swings)
+        scene = lying(obstacles=[BED, press])
+        scene = scene.replace(run=scene.run.replace(duration=10.0))
+        (said,) = [w for w in rw.check(scene, measure=False).warnings if "starts between" in w]
+        room = float(said.split("a gap of ")[1].split(" mm")[0])
+        assert room == pytest.approx(6.0, abs=0.2)
 
 
 def test_a_run_that_ends_between_two_bodies_names_both() -> None:

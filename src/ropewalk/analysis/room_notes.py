@@ -10,7 +10,9 @@ from ropewalk.lowering import Model
 from ropewalk.lowering.rooms import Room, tightest
 from ropewalk.scene.motions import Table
 
-_LOOKS = 64  # how often in a run bodies are looked at; between two looks one may come and go unseen
+# How often in a run bodies are looked at: between two looks one may come and go unseen. At even times, and
+# at uneven ones, for what swings may be at the same place at all even ones.
+_LOOKS, _UNEVEN = 64, 192
 
 
 def room_warnings(model: Model) -> list[str]:
@@ -46,7 +48,9 @@ def _times(model: Model) -> Floats:
     """Return the times at which bodies are looked at [s], (m,): those of their tables, too."""
     until = model.scene.run.duration
     given = [one.motion.times for one in model.scene.obstacles if isinstance(one.motion, Table)]
-    times = np.concatenate([np.linspace(0.0, until, _LOOKS), *map(np.asarray, given)])
+    uneven = (np.arange(_UNEVEN) + np.random.default_rng(0).random(_UNEVEN)) / _UNEVEN
+    even = np.linspace(0.0, until, _LOOKS)
+    times = np.concatenate([even, until * uneven, *map(np.asarray, given)])
     found: Floats = np.unique(times[(times > 0.0) & (times <= until)])
     return found
 

@@ -12,7 +12,7 @@ from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import gaps, surface_near
 
 SQUEEZED = 0.1  # of a rope's diameter that is lacking, from which it is told [1]
-_FACING = -0.9  # [1] cosine of two normals: these surfaces face each other, as a groove's do not
+FACING = -0.9  # [1] cosine of two normals: these surfaces face each other, as a groove's do not
 
 
 class Room(NamedTuple):
@@ -69,4 +69,4 @@ def tightest(
 def _face(table: Obstacles, one: int, other: int, place: Floats, t: float) -> bool:
     """Tell whether the surfaces of two bodies next to a place (3,) [m] face each other."""
     a, b = (np.array(surface_near(table, row, place, t)[1:4]) for row in (one, other))
-    return float(a @ b) < _FACING
+    return float(a @ b) < FACING

@@ -17,12 +17,13 @@ from ropewalk.laws.obstacle import Obstacles
 from ropewalk.laws.obstacle_places import surface_near
 from ropewalk.laws.obstacle_pose import rates_of
 from ropewalk.laws.polygon import pulls_ahead, tilted, turned_by
+from ropewalk.lowering.rooms import FACING
 from ropewalk.lowering.splitting import split, that_slide
 from ropewalk.lowering.wedging import held_along
 
 SLIPS = 0.99  # of what friction can carry: a contact that moves and carries more slips [1]
 STILL = 1e-6  # [m/s] a contact that moves less does not
-PRESSED = 0.01  # of what a rope presses on an obstacle, beyond which ropes on it count as what holds it [1]
+PRESSED = 0.01  # of what a rope presses on an obstacle, beyond which what lies on it counts as holding it [1]
 
 _Row = tuple[
     int, int, Floats, float, float, Floats, float, float, float, Floats, float
@@ -81,6 +82,36 @@ class Contacts(NamedTuple):
             spare[row] = held_along(*parts)
         found: Floats = spare
         return found
+
+    def pressed_by(self, rows: Ints) -> list[int]:
+        """Return which other obstacles press a stretch against its own noticeably, by number.
+
+        From another side, as a keeper over a drum does: how hard is not told by the tension, as it is of the
+        sides of a groove, on all of which it presses by itself, see `held_along`.
+        """
+        nodes, own = self.node[rows], self.obstacle[rows[0]]
+        between = (self.node >= nodes.min()) & (self.node <= nodes.max()) & (self.obstacle != own)
+        found: dict[int, float] = {}
+        for other in np.flatnonzero(between).tolist():
+            here = int(rows[np.argmin(np.abs(nodes - self.node[other]))])
+            against = -float(self.normal[other] @ self.normal[here]) * float(self.push[other])
+            if self.node[here] == self.node[other]:
+                against = (
+                    0.0 if self._grooved(here, other) else min(against, float(self.push[here]))
+                )
+            if against > 0.0:
+                o = int(self.obstacle[other])
+                found[o] = found.get(o, 0.0) + against
+        most = PRESSED * float(self.push[rows].sum())
+        return [o for o, force in sorted(found.items()) if force > most]
+
+    def _grooved(self, row: int, other: int) -> bool:
+        """Tell whether two surfaces that a node touches are as the sides of a groove in which the rope lies.
+
+        It turns towards both, or towards none and is not between them as in a press, but by its weight.
+        """
+        turns = int(self.turn[row] > 0.0) + int(self.turn[other] > 0.0)
+        return turns == 2 or (turns == 0 and float(self.normal[row] @ self.normal[other]) > FACING)
 
     def using(self, share: float) -> Contacts:
         """Return the same contacts with a share [1] of what friction has along the rope, as of `at_slip`.

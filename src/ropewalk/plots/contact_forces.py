@@ -42,7 +42,7 @@ _SHOWN = (
     0.01  # of the largest force: so much must cancel on a node for the sums to be drawn, too [1]
 )
 CANCELS = (
-    "The sizes of all forces on a node, added up; dotted: added as vectors. What lies between two others "
+    "The sizes of all forces on a node, added up; dotted: as vectors. What lies between two others "
     "is pressed by both."
 )
 
@@ -58,7 +58,7 @@ class Coil:
     turned: Floats  # (k + 1,) angle round the bar up to each segment from the one before the wrap on [rad]
     tension: Floats  # (k + 1,) of these segments [N]
     grip: Floats  # (k + 1,) by how much ln T may rise up to each segment, see `at_slip` [1]
-    pressed: bool  # whether ropes press on it there, so that where it slips is not known
+    pressed: tuple[str, ...]  # what else presses on it there, so that where it slips is not known
 
     @property
     def angle(self) -> float:
@@ -79,7 +79,7 @@ class Coil:
     def held(self) -> Floats | None:
         """The tension up to which friction holds a rope without weight, from its slack side on [N].
 
-        None where that is not known: ropes press on it, or its slack side carries none.
+        None where that is not known: ropes or other obstacles press on it, or its slack side carries none.
         """
         if self.pressed or self.slack <= 0.0:
             return None
@@ -114,7 +114,9 @@ def coils(result: Result, frame: int) -> list[Coil]:
                     bend, grip = np.zeros((2, last - first + 2))
                     bend[at - span.first - first + 1] = contacts.turn[rows]
                     grip[at - span.first - first + 1] = contacts.held_by(mu, rows)
-                    pressed = bool(by_ropes[at].sum() > PRESSED * contacts.push[rows].sum())
+                    roped = by_ropes[at].sum() > PRESSED * contacts.push[rows].sum()
+                    beside = (result.scene.obstacles[k].name for k in contacts.pressed_by(rows))
+                    pressed = (*(("ropes",) if roped else ()), *beside)
                     sums = np.cumsum(bend), np.cumsum(grip)
                     found.append(
                         Coil(span.name, body.name, mu, number, sums[0], along, sums[1], pressed)
@@ -131,8 +133,8 @@ def contact(result: Result, time: float | None = None) -> Figure:
     By default the last good frame in which something touches. Along a wrap round a bar the dashed line is
     T0 exp(mu s / R) from the slack side on (Euler, Eytelwein), with how far the recorded rope has turned
     as s / R, less what it needs across (`Contacts.at_slip`): a rope that sticks lies below, one that slips on
-    it, but for its weight, which the formula leaves out. There is none where ropes press on the wrap, or its
-    slack side carries nothing. It leaves the axes at twice the largest tension.
+    it, but for its weight, which the formula leaves out. There is none where ropes or other obstacles press
+    on the wrap, or its slack side carries nothing. It leaves the axes at twice the largest tension.
 
     Raises ValueError for a run without recorded contact forces, and for a time outside it.
     """
@@ -180,16 +182,19 @@ def pressing(result: Result, frame: int) -> Floats:
     """Return the sizes of all contact forces on each node at a frame, added up, (nodes,) [N].
 
     What lies between two others is pressed by both, though their forces cancel in `contact_force`. That of
-    ropes on a segment goes to its two nodes by the lever. What was recorded without the contacts of ropes
-    has the size of the sum on each node.
+    ropes on a segment goes to its two nodes by the lever. Where ropes touched, but their contacts were not
+    recorded, it is the size of the sum on each node.
     """
-    if ROPE_CONTACTS not in result.source.names:
-        together: Floats = np.linalg.norm(result.contact_force[frame], axis=1)
+    together: Floats = np.linalg.norm(result.contact_force[frame], axis=1)
+    roped = ROPE_CONTACTS in result.source.names
+    if result.scene.contact is not None and not roped:
         return together
     found = np.zeros(result.layout.nodes)
     for _, contacts in each_frame(result, [frame]):
         force = contacts.push[:, None] * contacts.normal + contacts.rub
         np.add.at(found, contacts.node, np.linalg.norm(force, axis=1))
+    if not roped:
+        return np.maximum(found, together)
     kept = result.read(ROPE_CONTACTS, frame, frame + 1)[0]
     kept = kept[np.isfinite(kept[:, 0])]
     force = np.linalg.norm(kept[:, 5:8], axis=1)
@@ -273,5 +278,7 @@ def _told(coil: Coil) -> str:
         return f"{about}; its slack end carries nothing."
     told = f"{about}: tension ratio {high / low:.4g}"
     if coil.pressed:
-        return f"{told}; ropes press on it, too: where it slips is not known."
+        one = len(coil.pressed) == 1 and coil.pressed != ("ropes",)
+        who = f"{' and '.join(coil.pressed)} press{'es' if one else ''}"
+        return f"{told}; {who} on it, too: where it slips is not known."
     return f"{told}; without weight it slips at {coil.at_slip:.4g} as it lies (friction {coil.friction:g})."

@@ -30,7 +30,7 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
     The angle is that towards the obstacle: what turns within a floor, or lies in a trough, is not held by it.
     The ratio is that of the larger tension to the smaller one, NaN where that pulls nothing; at slip it is
     `Contacts.at_slip`, of a rope without weight: exp(mu angle) where it turns towards the surface alone; NaN
-    where ropes press on it there, which hold the rest.
+    where ropes or other obstacles press on it there, which hold the rest, see `Contacts.pressed_by`.
     """
     found: list[tuple[object, ...]] = []
     tension = result.tension
@@ -41,7 +41,8 @@ def wrap_rows(result: Result, frames: Iterable[int], wanted: Ints) -> list[NDArr
             if not np.isin(contacts.node[wrap.rows], wanted).any():
                 continue
             push, by_ropes = contacts.push[wrap.rows].sum(), ropes[contacts.node[wrap.rows]].sum()
-            at_slip = wrap.at_slip if by_ropes <= PRESSED * push else np.nan
+            alone = by_ropes <= PRESSED * push and not contacts.pressed_by(wrap.rows)
+            at_slip = wrap.at_slip if alone else np.nan
             found.append(
                 (
                     *(result.time[frame], result.layout.ropes[wrap.rope].name),

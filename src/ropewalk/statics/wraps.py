@@ -229,10 +229,10 @@ def _what_holds(full: list[Wrap]) -> str:
         return ": it is level there, and holds against up to friction times what presses on it"
     slope = min(math.degrees(math.atan(wrap.friction)) for wrap in steep)
     which = " with the least of them" if len({wrap.friction for wrap in steep}) > 1 else ""
-    return (
-        f": it holds on slopes of up to atan(friction) = {slope:.4g} degrees{which}, and round a drum by a "
-        "factor of up to exp(friction angle) of the tensions"
-    )
+    said = f": it holds on slopes of up to atan(friction) = {slope:.4g} degrees{which}"
+    if all(wrap.angle < _LEVEL for wrap in steep):  # as on a ramp
+        return said
+    return f"{said}, and round a drum by a factor of up to exp(friction angle) of the tensions"
 
 
 def _shared(lie: list[Wrap]) -> bool:
