@@ -199,9 +199,7 @@ def test_depths_are_those_of_the_forces(seed: int) -> None:
 
 def test_explicit_methods_and_given_compliances_have_what_they_had() -> None:
     """Their stable steps count what is stiffest; and who gives a compliance gets that."""
-    eased, firm = (
-        nodes_at(BODIES["cylinder"], method).table for method in ("verlet", "implicit-euler")
-    )
+    eased, firm = nodes_at(BODIES["plane"], "verlet").table, nodes_at(BODIES["plane"]).table
     assert not np.stack([eased.rise, eased.held]).any()
     assert (firm.rise > 0.0).all()
     for i in range(5):
@@ -250,7 +248,7 @@ def test_a_contact_that_gets_softer_keeps_of_its_friction_spring_no_more_than_th
     nodes.remember(x)
     grip, bound = nodes.memory.grip[0], MU * nodes.force(y)[2]
     grip[:GRIP] = 0.0
-    grip[0] = bound * np.array([0.9, 0.999, 1.001, 1.05, 1.5])
+    grip[0] = bound * np.array([0.9, 0.999, 1.001, 1.05, 3.0])
     assert (grip[0] < MU * grip[PUSH]).all()
     before = 0.5 * grip[0] ** 2 / grip[STIFF]
     nodes.remember(y)

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from ropewalk.core.arrays import Floats
 from ropewalk.core.jit import small
-from ropewalk.laws.obstacle_rows import radius_round
 
 if TYPE_CHECKING:
     from ropewalk.scene.obstacles import Obstacle
@@ -130,7 +129,4 @@ def firmer(
     rise = np.where(np.isfinite(most), RISE * (stiffness + hard + held) / skin, 0.0)
     given = np.array([body.compliance is not None for body in bodies], dtype=bool)
     held[given] = rise[given] = 0.0
-    rise[[not 0.0 < radius_round(body) < np.inf for body in bodies]] = (
-        0.0  # what turns a rope presses it in
-    )
     return {"held": held, "rise": rise}
