@@ -45,10 +45,7 @@ def rope_beside(body: Any, segments: int = 8) -> Any:
         made_of=Material(EA=1e4, mass_per_length=0.1),
         shape=Straight(direction=(1, 0, 0)),
     )
-    model = build(Scene(ropes=[rope], obstacles=[body]), drawn=False)
-    table = model.system.node.obstacle  # whose dampers nodes have that were pressed nowhere before
-    model.state.memory.obstacle.grip[:, DAMP] = table.damping
-    return model
+    return build(Scene(ropes=[rope], obstacles=[body]), drawn=False)
 
 
 @pytest.mark.parametrize("name", list(SHAPES))

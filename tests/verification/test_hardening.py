@@ -25,8 +25,8 @@ BODIES: dict[str, Obstacle] = {
     "plane": Plane(friction=MU),
     "cylinder": Cylinder(start=(-4, 0, 0), end=(4, 0, 0), radius=RADIUS, friction=MU),
 }
-#: Depths over the skin: in it, two where the slope rises to the segments' stiffness, two where it goes on.
-DEEP = np.array([0.5, 1.2, 1.9, 4.0, 20.0])
+#: Depths over the skin: in it, three where the slope rises, one beyond.
+DEEP = np.array([0.5, 1.2, 1.5, 1.9, 4.0])
 ZERO = np.zeros((3, 5))
 NOW = np.array([0.35, 0.3])
 
@@ -48,7 +48,7 @@ class Pressed(NamedTuple):
         self.memory.grip[:, GRIP] = MU
 
 
-def nodes_at(body: Obstacle, method: str = "implicit-euler") -> Pressed:
+def nodes_at(body: Obstacle) -> Pressed:
     """A soft, thick rope that is far away, with its table and memory."""
     rope = Rope(
         segments=4,
@@ -57,7 +57,7 @@ def nodes_at(body: Obstacle, method: str = "implicit-euler") -> Pressed:
         diameter=D,
         shape=Points(points=[(9.0, 9.0, 9.0 + i) for i in range(5)]),
     )
-    model = build(Scene(ropes=[rope], obstacles=[body], run={"method": method, "time_step": 1e-4}))
+    model = build(Scene(ropes=[rope], obstacles=[body]))
     state = arrays.copy(model.state)
     found = Pressed(model.system.node.obstacle, state.memory.obstacle, state.stiffness)
     assert (found.table.hard > found.table.stiffness).all()
@@ -134,8 +134,7 @@ def test_what_many_nodes_store_is_what_each_does(hard: bool) -> None:
     table = nodes_at(BODIES["cylinder"]).table
     assert (table.hard > 0.0).all()
     if not hard:
-        none = np.zeros_like(table.hard)
-        table = table._replace(hard=none, rise=none)
+        table = table._replace(hard=np.zeros_like(table.hard))
     for share in (-9.0, -1.0, 0.3, 1.5, 2.5, 40.0):
         depth = np.full((1, 5), share * SKIN * D)
         found = stored_under(table, depth)
@@ -143,75 +142,13 @@ def test_what_many_nodes_store_is_what_each_does(hard: bool) -> None:
         assert found == pytest.approx(np.array(alone), rel=1e-12, abs=0.0)
 
 
-@pytest.mark.parametrize("method", ["implicit-euler", "verlet"])
-@pytest.mark.parametrize("force", [1.0, 14.0, 20.0, 30.0, 45.0, 300.0, 1e4, 1e6])
-def test_a_force_presses_in_as_deep_as_told(force: float, method: str) -> None:
-    nodes = nodes_at(BODIES["plane"], method)
+@pytest.mark.parametrize("force", [1.0, 14.0, 20.0, 30.0, 45.0, 300.0])
+def test_a_force_presses_in_as_deep_as_told(force: float) -> None:
+    nodes = nodes_at(BODIES["plane"])
     depth = depth_under(nodes.table, force)[0]
     x = np.zeros((3, 5))
     x[2] = 0.5 * D - depth
     assert nodes.force(x)[2] == pytest.approx(np.full(5, force), rel=1e-9)
-
-
-def tables(rng: np.random.Generator) -> Obstacles:
-    """A table of contacts of any stiffness, of five nodes."""
-    parts = 10.0 ** rng.uniform(2.0, 7.0, (4, 1, 5)) * (rng.random((4, 1, 5)) < 0.7)
-    size = 10.0 ** rng.uniform(-4.0, -1.0, 5)
-    return nodes_at(BODIES["plane"]).table._replace(
-        stiffness=parts[0] + 1.0,
-        hard=parts[1],
-        held=parts[2],
-        rise=parts[3] / (SKIN * size),
-        diameter=size,
-    )
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_slope_and_energy_are_derivative_and_integral_of_the_force(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    table = tables(rng)
-    for i in range(5):
-        skin = SKIN * table.diameter[i]
-        ends = skin * np.sort(np.r_[0.0, 1.0, 2.0, 10.0 ** rng.uniform(-1.0, 2.0, 4)])
-        mean, half = 0.5 * (ends[1:] + ends[:-1]), 0.5 * (ends[1:] - ends[:-1])
-        weights = (1.0, 4.0, 1.0)  # Simpson's rule has no error for a force of the second degree
-        for middle, h in zip(mean, half, strict=True):
-            at = [squeezed(table, 0, i, middle + s * h) for s in (-1.0, 0.0, 1.0)]
-            work = h / 3.0 * sum(w * one[0] for w, one in zip(weights, at, strict=True))
-            assert at[2][2] - at[0][2] == pytest.approx(work, rel=1e-9, abs=1e-12 * at[2][2])
-            rise = (at[2][0] - at[0][0]) / (2.0 * h)
-            assert rise == pytest.approx(at[1][1], rel=1e-9, abs=1e-12 * at[2][0] / h)
-            assert at[2][1] >= at[0][1]  # it never gets softer
-
-
-@pytest.mark.parametrize("seed", range(20))
-def test_depths_are_those_of_the_forces(seed: int) -> None:
-    rng = np.random.default_rng(seed)
-    table = tables(rng)
-    for share in 10.0 ** rng.uniform(-1.0, 2.0, 5):
-        for i in range(5):
-            depth = share * SKIN * table.diameter[i]
-            found = depth_under(table, squeezed(table, 0, i, depth)[0])
-            assert found[0, i] == pytest.approx(depth, rel=1e-9)
-            stored = stored_under(table, np.full((1, 5), depth))
-            assert stored[0, i] == pytest.approx(squeezed(table, 0, i, depth)[2], rel=1e-12)
-
-
-def test_explicit_methods_and_given_compliances_have_what_they_had() -> None:
-    """Their stable steps count what is stiffest; and who gives a compliance gets that."""
-    eased, firm = (
-        nodes_at(BODIES["cylinder"], method).table for method in ("verlet", "implicit-euler")
-    )
-    assert not np.stack([eased.rise, eased.held]).any()
-    assert (firm.rise > 0.0).all()
-    for i in range(5):
-        for share in (-3.0, 0.7, 1.6, 2.0):
-            depth = share * SKIN * D
-            assert squeezed(firm, 0, i, depth) == squeezed(eased, 0, i, depth)
-        assert (
-            squeezed(firm, 0, i, 20.0 * SKIN * D)[0]
-            > 5.0 * squeezed(eased, 0, i, 20.0 * SKIN * D)[0]
-        )
 
 
 def test_loads_that_swing_get_nothing_out_of_friction() -> None:

@@ -268,7 +268,7 @@ def test_what_flies_past_is_not_braked(
 @pytest.mark.parametrize(("method", "step"), PAST)
 @pytest.mark.parametrize("speed", [10.0, 30.0])
 @pytest.mark.parametrize(
-    ("aside", "most", "in_long_steps"), [(0.5, 0.055, 0.18), (0.8, 0.06, 0.1), (0.95, 0.035, 0.05)]
+    ("aside", "most", "in_long_steps"), [(0.5, 0.05, 0.18), (0.8, 0.06, 0.1), (0.95, 0.035, 0.05)]
 )
 def test_what_grazes_keeps_what_is_along_the_surface(
     method: str, step: float | None, speed: float, aside: float, most: float, in_long_steps: float
@@ -276,8 +276,7 @@ def test_what_grazes_keeps_what_is_along_the_surface(
     """All across the surface is lost where it touches: b of the speed is left (inelastic impact).
 
     At 1/60 s `sdirk2` kept 0.88 of 10 m/s at 0.5 of the radius, since the surface had turned by the step's
-    end; and short steps left 0.56 of 30 m/s at 0.8, since it was braked from far on. At 1 ms it leaves 0.551
-    of 30 m/s at 0.5 (0.548 before contacts got stiffer beyond two skins), at 0.1 ms 0.514 (0.534).
+    end; and short steps left 0.56 of 30 m/s at 0.8, since it was braked from far on.
     """
     after = rw.simulate(link_past_a_post(aside, speed, method, step)).velocities[-1]
     left = np.hypot(after[:, 0], after[:, 1]) / speed

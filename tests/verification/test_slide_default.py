@@ -10,10 +10,10 @@ import pytest
 from scipy.optimize import brentq
 
 import ropewalk as rw
+from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.slides.slide_force import slide_energy
 from ropewalk.laws.slides.sliding import SINK
 from ropewalk.laws.slides.table import APART
-from ropewalk.laws.stiff_enough import node_stiffness
 from ropewalk.lowering import build
 from ropewalk.scene import Slack, Straight
 from ropewalk.statics import Statics, checked_shape

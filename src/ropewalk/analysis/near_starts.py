@@ -6,8 +6,7 @@ last from g0 = 2 u / w, and from all g0 >= u / w. What starts nearer goes in, an
     (1 - s) exp(-2 - s / (1 - s)) u,   s = w g0 / u.
 Beyond the skin the damper is z = 0.3 of the critical one. A linear contact of that throws back
     exp(-z / sqrt(1 - z^2) (pi - atan(2 z sqrt(1 - z^2) / (1 - 2 z^2)))) u = 0.45 u
-(Schwager & Poeschel 2007, Granular Matter 9:465), one whose force goes with the square of the depth, as on
-all but planes in implicit methods, 0.51 u; while the slope still rises it is more, the more the harder
+(Schwager & Poeschel 2007, Granular Matter 9:465); while the slope still rises it is more, the more the harder
 the contact gets, as it is of a node with more mass than its damper is made for (the mean of its rope). So it
 is integrated, for a node that nothing else holds. Beside an obstacle with a restitution what is more than
 that is told.

@@ -6,7 +6,6 @@ import numpy as np
 
 from ropewalk.core.arrays import State
 from ropewalk.laws.contact_frame import DAMP
-from ropewalk.laws.hardening import hardens
 from ropewalk.laws.obstacle import Obstacles
 from ropewalk.lowering import Model
 from ropewalk.lowering.dampers import suited
@@ -20,5 +19,5 @@ def suit_dampers(model: Model, table: Obstacles, state: State) -> None:
     if not (state.tied.size and table.kind.size):
         return
     table.damping[:] = suited(table, model.scene, model.layout, model.state.mass, state.tied)
-    alike = np.flatnonzero(~hardens(table).any(axis=1))
+    alike = np.flatnonzero((table.hard == 0.0).all(axis=1))
     state.memory.obstacle.grip[alike, DAMP] = table.damping[alike]

@@ -369,6 +369,5 @@ def contact_rounding(x, obstacles):
         for k in range(3):
             size = max(size, abs(obstacles.center[o, k]))
         for i in range(x.shape[1]):
-            hard = obstacles.hard[o, i] + obstacles.held[o, i]
-            most = max(most, obstacles.stiffness[o, i] + hard)
+            most = max(most, obstacles.stiffness[o, i] + obstacles.hard[o, i])
     return 16.0 * 2.220446049250313e-16 * most * size

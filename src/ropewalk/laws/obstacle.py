@@ -4,15 +4,15 @@ By default a contact is as stiff as lets it be solved for at frame rates: 1/0.15
 force at one of its nodes in a step of 1/60 s, whatever the run's own steps are,
     sqrt(k0^2 + 4 k k0),   k0 = m / (1/60 s)^2,   k that of the segments,
 but no more than the whole rope's inertia in that time, nor than its segments are (those lighter than that
-step allows for, than k0). All but planes are stiffer where more hangs on a rope than that holds: a tension of
-all its weight, loads and given forces turns by h/R at each node and presses it in by SKIN of its diameter.
+step allows for, than k0). Round bodies are stiffer where more hangs on a rope than that holds: a tension of
+all its weight, loads and given forces turns by h/R at each node and presses it in by FIRM of its diameter.
 The damper is that of a node on its own, in rigid ropes see `striking`. What is pressed in past the skin
 meets as much as the segments' own stiffness, see `hardening`: what pulls a line taut is not known before.
-Where the segments are too soft for what hangs there, or pull too hard, it is more, but in explicit methods.
 """
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -31,7 +31,7 @@ from ropewalk.laws.contact import (
 from ropewalk.laws.contact_books import BOOKS, WAYS, book_contacts
 from ropewalk.laws.contact_frame import DAMP, GRIPS, PUSH, STIFF, TOUCHES
 from ropewalk.laws.contact_tangent import contact_tangent
-from ropewalk.laws.hardening import SKIN, firmer, stiffnesses
+from ropewalk.laws.hardening import stiffnesses
 from ropewalk.laws.held_nodes import follow_held
 from ropewalk.laws.node_law import NodeLaw, Rest, always
 from ropewalk.laws.obstacle_places import depths
@@ -51,7 +51,6 @@ from ropewalk.laws.obstacle_rows import (
 )
 from ropewalk.laws.obstacle_way import find_pass, find_sweep, gone, meet
 from ropewalk.laws.rebound import rebounds
-from ropewalk.laws.stiff_enough import loaded, lying, most, node_stiffness, wished
 from ropewalk.laws.striking import firmness, striking
 from ropewalk.laws.touch_events import contact_events
 from ropewalk.laws.wheel_rows import RATE, ROWS, WIDTH
@@ -65,6 +64,10 @@ if TYPE_CHECKING:
     from ropewalk.scene import Rope
     from ropewalk.scene.obstacles import Obstacle
 
+FRAME = 1.0 / 60.0  # [s]
+FIRM = 0.005  # [1] depth over the diameter, see above
+SHARP = 2.0  # [1] what a node presses with, over the tension, where the rope turns back
+SHARE = 0.15  # [1] compliance of a contact over the rope's own at a node
 DAMPING = 1.0  # [1] damping ratio of a node on its own: it does not bounce
 
 
@@ -93,8 +96,6 @@ class Obstacles(NamedTuple):
     ratio: Floats  # (k,) damping across over damping along [1], less than 1 where nodes are thrown back
     thickness: Floats  # (n,) from the rope's middle to its surface [m]
     hard: Floats  # (k, n) what is added to the stiffness where one is pressed deep [N/m], see `hardening`
-    held: Floats  # (k, n) and for loads that are known [N/m]; 0 in explicit methods, as `rise` is
-    rise: Floats  # (k, n) by how much what is pressed deeper than that gets stiffer a metre [N/m^2]
     firmness: Floats  # (n,) damping ratio of one pressed deep, for the node as it strikes [1]
     diameter: Floats  # (n,) of the rope, whether the distance counts from its surface or not [m]
     # Those that turn freely, wheels, have a row of their own; w of them.
@@ -144,36 +145,37 @@ def lower(
     `gravity` is its size [m/s^2], `up` the way against it, `masses` what each contact stops [kg], (n,).
     """
     bodies = tuple(obstacles or ())
-    places, count, n = [place_of(body) for body in bodies], len(bodies), layout.nodes
-    own, mass, struck, thickness, stiffest = np.zeros((5, n))
+    places = [place_of(body) for body in bodies]
+    count, n = len(bodies), layout.nodes
+    own, mass, struck, thickness, most = np.zeros((5, n))
     diameter, firmly = np.ones(n), np.ones(n)
-    firm, known, friction = np.zeros((3, count, n))
+    firm, friction = np.zeros((2, count, n))
     for rope, span, all_mass in zip(ropes, layout.ropes, whole, strict=True) if bodies else ():
         nodes = slice(span.first, span.last + 1)  # those still on a drum, too
         stiff, weight = node_stiffness(rope, all_mass)
         own[nodes], mass[nodes] = stiff, weight
         here = slice(span.start, span.end + 1)
-        own[here], mass[here] = loaded(rope, stiff, weight, all_mass)
+        own[here], mass[here] = _loaded(rope, stiff, weight, all_mass)
         struck[nodes], struck[here] = weight, striking(rope, mass[here])
         firmly[nodes] = firmness(rope, struck[nodes], all_mass)
-        stiffest[nodes] = [most(rope, one) for one in mass[nodes]]
+        most[nodes], most[here] = _most(rope, weight), [_most(rope, one) for one in mass[here]]
         thickness[nodes], diameter[nodes] = radius_of(rope), rope.diameter
-        hung = np.array([[wished(rope, gravity * all_mass, radius_round(one))] for one in bodies])
-        firm[:, nodes], known[:, nodes] = np.minimum(hung, most(rope, weight)), hung
-        known[:, here] = np.maximum(hung, lying(rope, mass[here], gravity))
-        friction[:, nodes] = [[body.friction_with(rope)] for body in bodies]
-    stiffness, hard = stiffnesses(bodies, own, firm, stiffest)
+        for row, body in enumerate(bodies):
+            firm[row, nodes] = _firm(rope, gravity * all_mass, radius_round(body), weight)
+            friction[row, nodes] = body.friction_with(rope)
+    stiffness, hard = stiffnesses(bodies, own, firm, most)
     ratio, hit = rebounds(bodies, struck, np.asarray(masses) if len(masses) else mass)
     centers, hubs, motion = wherever(bodies, places)
     wheels = wheel_columns(bodies, -gravity * np.array(up, dtype=np.float64))
-    levers = np.array([w >= 0 and wheels["weight"][w].any() for w in wheels["wheel"]], dtype=bool)
+    levers = [w >= 0 and wheels["weight"][w].any() for w in wheels["wheel"]]
     return Obstacles(
         kind=np.array([KINDS[body.kind] for body in bodies], dtype=np.int64),
         center=centers,
         axis=np.array([place[1] for place in places], dtype=np.float64).reshape(count, 3),
         axle=np.array([axle_of(body) for body in bodies], dtype=np.float64).reshape(count, 3),
         hub=hubs,
-        sweeps=np.array([*map(sweeps, bodies)], dtype=bool).astype(np.int64) | levers,
+        sweeps=np.array([*map(sweeps, bodies)], dtype=bool).astype(np.int64)
+        | np.array(levers, dtype=bool),
         size=size_rows([place[2] for place in places]),
         thin=np.array([half_thickness(body) for body in bodies], dtype=np.float64),
         friction=friction,
@@ -185,7 +187,6 @@ def lower(
         ratio=ratio,
         thickness=thickness,
         hard=hard,
-        **firmer(bodies, (stiffness, hard), known, stiffest, SKIN * diameter),
         firmness=firmly,
         diameter=diameter,
         **wheels,
@@ -195,6 +196,46 @@ def lower(
 def radius_of(rope: Rope) -> float:
     """Return half a rope's diameter where one is given [m], else 0."""
     return 0.5 * rope.diameter if "diameter" in rope.model_fields_set else 0.0
+
+
+def node_stiffness(rope: Rope, whole: float, mass: float | None = None) -> tuple[float, float]:
+    """Return the stiffness of a contact [N/m] and the mass [kg] of an inner node, or one of `mass`.
+
+    `whole` is the mass of the rope and all that joints tie to it [kg].
+    """
+    own = rope.own_mass / max(rope.nodes, 1) if mass is None else mass
+    inert, whole = own / FRAME**2, whole / FRAME**2
+    k = rope.segment_stiffness
+    shown = math.sqrt(inert**2 + 4.0 * k * inert) if math.isfinite(k) else whole
+    return min(min(shown, whole) / SHARE, _most(rope, own)), own
+
+
+def _firm(rope: Rope, weight: float, radius: float, mass: float) -> float:
+    """Return how stiff contacts of nodes of `mass` [kg] with a body of `radius` [m] must be [N/m].
+
+    `weight` is that of all that hangs on the rope [N]. 0: as stiff as the rope asks for, on flat bodies and
+    those without a radius.
+    """
+    if not radius > 0.0:
+        return 0.0
+    pull = weight + sum(math.hypot(*one.force) for one in rope.forces)
+    turn = min(rope.segment_length / (radius + 0.5 * rope.diameter), SHARP)
+    return min(pull * turn / (FIRM * rope.diameter), _most(rope, mass))
+
+
+def _most(rope: Rope, mass: float) -> float:
+    """Return the stiffness of a contact that steps for the rope allow for as well [N/m]."""
+    return max(rope.segment_stiffness, mass / FRAME**2)
+
+
+def _loaded(rope: Rope, stiffness: float, mass: float, whole: float) -> tuple[Floats, Floats]:
+    """Return stiffness and mass of all nodes, those with loads on them stiffer, (nodes,) each."""
+    masses, found = np.full(rope.nodes, mass), np.full(rope.nodes, stiffness)
+    for load in rope.loads:
+        masses[rope.node_index(load.node)] += load.mass
+    for node in {rope.node_index(load.node) for load in rope.loads}:
+        found[node] = node_stiffness(rope, whole, float(masses[node]))[0]
+    return found, masses
 
 
 def acts(obstacles: Obstacles) -> bool:
@@ -314,12 +355,6 @@ def touched(obstacles: Obstacles, x: Floats) -> Any:
 def channels(obstacles: Obstacles) -> int:
     """Return how many rows the forces have, with what presses and what rubs of every obstacle."""
     return 3 + 6 * len(obstacles.kind)
-
-
-def eased(obstacles: Obstacles) -> Obstacles:
-    """Return the table for explicit methods, whose stable steps count what is stiffest; see `cases`."""
-    zero = np.zeros_like(obstacles.held)
-    return obstacles._replace(held=zero, rise=zero)
 
 
 def cases(obstacles: Obstacles, chain: Chain) -> dict[str, Chain]:

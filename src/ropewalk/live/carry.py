@@ -239,7 +239,7 @@ def _fit_contacts(
     was, now = old.system.node.obstacle, made.system.node.obstacle
     grip, same = state.memory.obstacle.grip, np.zeros(now.stiffness.shape, bool)
     same[:, whole] = True
-    for part in ("stiffness", "hard", "held", "rise", "damping"):
+    for part in ("stiffness", "hard", "damping"):
         same[:, whole] &= getattr(was, part)[:, nodes] == getattr(now, part)[:, whole]
     grip[:, STIFF] = np.where(same, grip[:, STIFF], now.stiffness)
     grip[:, DAMP] = np.where(same, grip[:, DAMP], now.damping)

@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass, replace
 
 from ropewalk.core.arrays import State, System
-from ropewalk.laws.obstacle import eased
 from ropewalk.lowering.contact_checks import refuse_contact
 from ropewalk.lowering.layout import Layout, Span, make_layout
 from ropewalk.lowering.obstacle_checks import refuse_fast, refuse_obstacles
@@ -16,7 +15,6 @@ from ropewalk.lowering.release_checks import refuse_releases
 from ropewalk.lowering.segment_checks import refuse_segments
 from ropewalk.lowering.swings import refuse_unseen
 from ropewalk.lowering.system import make_tables
-from ropewalk.methods.registry import METHODS
 from ropewalk.scene import Scene
 
 __all__ = ["Layout", "Model", "Pieces", "Plan", "Span", "build", "with_all_laws"]
@@ -65,9 +63,6 @@ def build(
     refuse_segments(scene)
     until = math.inf if endless else scene.run.duration
     plan = make_plan(scene, system, state, until, stepped=stepped)
-    if scene.obstacles and not METHODS[plan.method].implicit:
-        table = keep("eased", eased, system.node.obstacle)
-        system = system._replace(node=system.node._replace(obstacle=table))
     if stepped:
         step = plan.dt if plan.longest is None else plan.longest
         refuse_fast(scene, system, step, until)

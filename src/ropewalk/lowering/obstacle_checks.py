@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ropewalk.core.arrays import Floats, State, System
 from ropewalk.laws.hardening import depth_under
-from ropewalk.laws.obstacle import Obstacles, eased, radius_of
+from ropewalk.laws.obstacle import Obstacles, radius_of
 from ropewalk.laws.obstacle_places import depths, drawn_places, moves, sweeping_speed, turning_rate
 from ropewalk.laws.obstacle_rows import half_thickness
 from ropewalk.laws.obstacle_way import LONG, leads_out, lies_across
@@ -281,5 +281,4 @@ def squeeze(scene: Scene, system: System, state: State, layout: Layout) -> Float
         most = max(float(pull[s.first : s.last].max(initial=0.0)) for s in spans)
         for s in spans:
             force[s.first : s.last + 1] = weight + 2.0 * most
-    deep = depth_under(eased(table), force)  # as a run of any method may have left it
-    return np.maximum(deep, DRAWN * table.diameter) + 1e-9
+    return np.maximum(depth_under(table, force), DRAWN * table.diameter) + 1e-9

@@ -17,6 +17,7 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest, always
+from ropewalk.laws.obstacle import node_stiffness
 from ropewalk.laws.pairs.beside_slides import begin_inside, follow_slides, reach_ahead
 from ropewalk.laws.pairs.boxes import room_for
 from ropewalk.laws.pairs.brake import brake_again, brake_hits
@@ -50,7 +51,6 @@ from ropewalk.laws.pairs.table import (
 from ropewalk.laws.pairs.way import AGAIN, meet_pairs
 from ropewalk.laws.pairs.wound import wind_pairs
 from ropewalk.laws.rebound import ratio_of
-from ropewalk.laws.stiff_enough import node_stiffness
 from ropewalk.laws.striking import pushes
 
 if TYPE_CHECKING:

@@ -16,6 +16,7 @@ from ropewalk.core.arrays import Floats, Ints
 from ropewalk.core.jit import part
 from ropewalk.core.ordering import ask_for
 from ropewalk.laws.node_law import NodeLaw, Rest
+from ropewalk.laws.obstacle import FRAME, node_stiffness
 from ropewalk.laws.slides.reach import follow_drums, live_ends, part_line, place_near
 from ropewalk.laws.slides.slide_force import (
     let_run_off,
@@ -36,7 +37,6 @@ from ropewalk.laws.slides.table import (
     Memory,
     Slides,
 )
-from ropewalk.laws.stiff_enough import FRAME, node_stiffness
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
