@@ -10,8 +10,8 @@ work does not count as made up. What a bound of the stretch gives does: it stops
 what friction gives, as it may where a held node stops at once, friction is stiff and the step long. A step
 that makes up a good part of all energy there is has no worth, where what all is carried along with does
 not count. What rounding makes up of next to nothing does not either: a rope that coasts has no other energy.
-With bending, where those may make up more, all laws together may make up little, see `all_energy`; but where
-clamps turn: what their drives put in by way of a step's own forces is off by more than that in long steps.
+With bending, where those may make up more, all laws together may make up little, see `all_energy`. Not
+asked where clamps turn: what these put in by way of a step's own forces is off by more in long steps.
 """
 
 from __future__ import annotations
