@@ -335,13 +335,14 @@ def test_what_is_tied_to_a_rope_that_lies_is_held() -> None:
 def test_the_slope_that_friction_holds_is_that_of_the_least() -> None:
     """Of ice and a post it named what the post holds: a rope slides on the ice from 5.7 degrees on."""
 
-    def lies(obstacle: str, friction: float, first: int = 0) -> Wrap:
+    def lies(obstacle: str, friction: float, first: int = 0, angle: float = 0.0) -> Wrap:
         ends, known = (first, first + 4), (math.nan, math.nan)
-        return Wrap("rope", obstacle, *ends, 10.0, 0.0, 1.0, 1.0, *known, False, 1.0, friction)
+        return Wrap("rope", obstacle, *ends, 10.0, angle, 1.0, 1.0, *known, False, 1.0, friction)
 
     both = sliding_words((lies("ice", 0.1), lies("post", 0.5, 10)))
     assert f"{math.degrees(math.atan(0.1)):.4g} degrees with the least of them" in both
-    assert "26.57 degrees, and" in sliding_words((lies("post", 0.5),) * 2)
+    assert "26.57 degrees, and round a drum" in sliding_words((lies("post", 0.5, angle=1.0),) * 2)
+    assert "26.57 degrees. Give" in sliding_words((lies("post", 0.5),) * 2)  # nothing turns there
     groove = sliding_words((lies("left", 0.3), lies("right", 0.3, 2)))  # it holds 31 degrees
     assert "degrees" not in groove
     assert "carries all it can. Give more friction" in groove
