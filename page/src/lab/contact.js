@@ -95,20 +95,31 @@ export class Contact {
     for (const hold of this.holds)
       for (let i = 0; i < n; i++) {
         probe(hold.post, x[0][i], x[1][i], x[2][i], this.found);
-        this.#slide(hold, i, v, 0);
+        this.#slide(hold, i, v, 0, hold.slide[i] * hold.push[i] > 0);
       }
   }
 
+  /** What rubs at a node where a step has ended: the spring's pull, and the damper on how it goes [N]; `found` is
+   * known. @param {Hold} hold @param {number} i @param {Float64Array[]} v @returns {number[]} */
+  #rubs({ spring, c }, i, v) {
+    const [, nx, ny, nz] = this.found;
+    const fx = spring[0][i] - c[i] * v[0][i];
+    const fy = spring[1][i] - c[i] * v[1][i];
+    const fz = spring[2][i] - c[i] * v[2][i];
+    const across = nx * fx + ny * fy + nz * fz;
+    return [fx - across * nx, fy - across * ny, fz - across * nz];
+  }
+
   /** Keep a node's coefficient, and its rate by what the next `dt` [s] bring; `found` is known. @param {Hold} hold
-   * @param {number} i @param {Float64Array[]} v @param {number} dt */
-  #slide(hold, i, v, dt) {
+   * @param {number} i @param {Float64Array[]} v @param {number} dt @param {boolean} rubs whether anything does */
+  #slide(hold, i, v, dt, rubs) {
     const { rope, found } = this;
     const { x } = rope;
     const turned = turnedBy(rope, v, hold.post, hold.friction, i, found, 0);
     hold.slide[i] = turned.middle;
     hold.grows[i] = 0;
     if (turned.off === 0) return;
-    const ahead = pullsAhead(x, i, found, hold.spring);
+    const ahead = pullsAhead(x, i, found, rubs ? this.#rubs(hold, i, v) : [0, 0, 0]);
     hold.slide[i] = tilted(turned, ahead);
     if (ahead === 0 || !(Math.abs(turned.off) > MOVES) || !(dt > 0)) return;
     probe(hold.post, x[0][i] + dt * v[0][i], x[1][i] + dt * v[1][i], x[2][i] + dt * v[2][i], found);
@@ -262,7 +273,7 @@ export class Contact {
     spring[0][i] = sx;
     spring[1][i] = sy;
     spring[2][i] = sz;
-    this.#slide(hold, i, v, dt);
+    this.#slide(hold, i, v, dt, bound > 0);
   }
 
   /** Whether a free node is so deep in a post that it may go through. */

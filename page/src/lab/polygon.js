@@ -91,10 +91,10 @@ function slopes({ n, x, stiffness }, v, i, found, dt) {
 }
 
 /** The cosine between the rope at a node along a surface and its pull on what rubs; 0: none. @param {Float64Array[]} x
- * @param {number} i @param {Float64Array} found @param {Float64Array[]} rubs force on nodes [N] */
+ * @param {number} i @param {Float64Array} found @param {number[]} rubs force on the node [N] */
 export function pullsAhead(x, i, found, rubs) {
   const [, nx, ny, nz] = found;
-  const [rx, ry, rz] = rubs.map((row) => row[i]);
+  const [rx, ry, rz] = rubs;
   const size = Math.sqrt(rx * rx + ry * ry + rz * rz);
   if (!(size > 0)) return 0;
   let tx = 0;
