@@ -33,19 +33,7 @@ def _counting(law: NodeLaw, k: int, rest: Any) -> Any:
 
 
 _couples_any = fold(_counting, _none_couples, "couple")
-
-
-def _pressing(law: NodeLaw, k: int, rest: Any) -> Any:
-    couples_any = law.couples_any or has_any
-
-    @part
-    def _presses(system, state):
-        return (acts(system, k) and couples_any(system.node[k], state)) or rest(system, state)
-
-    return _presses
-
-
-any_presses = fold(_pressing, _none_couples, "lower")
+any_presses = fold(_counting, _none_couples, "lower")
 """any_presses(system, state): tell whether a law of nodes acts; not if it couples, and couples none."""
 
 
